@@ -1,0 +1,27 @@
+//! A goal-directed Markov decision process with finitely many actions: reward 1 on entering a
+//! terminal state, 0 otherwise (Williams et al., Section III).
+
+use std::hash::Hash;
+
+/// A problem that a planner can solve, knowing nothing else about it.
+pub trait Mdp {
+    /// A state, packed: cheap to copy, hash and compare.
+    type State: Copy + Eq + Hash + Ord;
+    /// An action; `Ord` fixes the order in which ties break.
+    type Action: Copy + Eq + Ord;
+
+    /// Where the problem begins.
+    fn initial(&self) -> Self::State;
+    /// All actions, in the order of ties. Every action is applicable in every state (it may do nothing).
+    fn actions(&self) -> &[Self::Action];
+    /// Appends the distribution of successors of `action` in `state`: probabilities in (0, 1] that sum to one.
+    fn successors(&self, state: Self::State, action: Self::Action, out: &mut Vec<(Self::State, f64)>);
+    /// Whether the goal holds in `state`; such a state is terminal.
+    fn is_terminal(&self, state: Self::State) -> bool;
+    /// A lower bound on the number of actions from `state` to a terminal state; `None` when no terminal
+    /// state can be reached. Admissible and, for the planners' speed, consistent.
+    fn heuristic(&self, state: Self::State) -> Option<u32> {
+        let _ = state;
+        Some(0)
+    }
+}
