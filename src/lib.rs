@@ -9,6 +9,7 @@
 //! Modules stand in reading order, which is the way of the data; imports go one way only
 //! (`tests/tidy.rs` holds both).
 
+pub mod logic;
 pub mod mdp;
 pub mod domain;
 pub mod worker;

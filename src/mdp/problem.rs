@@ -15,7 +15,12 @@ pub trait Mdp {
     /// All actions, in the order of ties. Every action is applicable in every state (it may do nothing).
     fn actions(&self) -> &[Self::Action];
     /// Appends the distribution of successors of `action` in `state`: probabilities in (0, 1] that sum to one.
-    fn successors(&self, state: Self::State, action: Self::Action, out: &mut Vec<(Self::State, f64)>);
+    fn successors(
+        &self,
+        state: Self::State,
+        action: Self::Action,
+        out: &mut Vec<(Self::State, f64)>,
+    );
     /// Whether the goal holds in `state`; such a state is terminal.
     fn is_terminal(&self, state: Self::State) -> bool;
     /// A lower bound on the number of actions from `state` to a terminal state; `None` when no terminal

@@ -1,0 +1,14 @@
+//! Simply typed λ-calculus with hash-consed normal forms: the language of goals. Knows no world.
+
+pub mod ty;
+pub mod signature;
+pub mod term;
+mod reduce;
+pub mod read;
+pub mod print;
+
+pub use print::{print, print_human};
+pub use read::{ReadError, read};
+pub use signature::Signature;
+pub use term::{ConstantId, LogicError, Node, TermId, Terms};
+pub use ty::{TyId, Type, Types};

@@ -1,0 +1,343 @@
+//! The arena of hash-consed terms: de Bruijn indices, β-normal, η-long, conjuncts in canonical order
+//! (invariant 1: equal ids exactly when terms are α-equivalent up to the order of conjuncts).
+//! Equality, hash, type, size and free variables of a term cost O(1).
+
+use super::ty::{TRUTH, TyId, Type, Types};
+use hashbrown::HashTable;
+use rustc_hash::{FxHashMap, FxHasher};
+use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
+
+/// A term of one arena.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct TermId(u32);
+
+/// A constant of one arena: a name with a type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ConstantId(u32);
+
+/// A term, one level deep. Heads are constants or variables; every argument is itself in normal form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Node<'a> {
+    /// A constant: of base type as a term, of any type as a head.
+    Constant(ConstantId),
+    /// A variable by de Bruijn index: of base type as a term, of any type as a head.
+    Variable(u32),
+    /// A head applied to all its arguments.
+    Apply {
+        /// A constant or a variable.
+        head: TermId,
+        /// Its arguments; those of a variadic constant in canonical order.
+        args: &'a [TermId],
+    },
+    /// An abstraction.
+    Lambda {
+        /// The type of its variable.
+        parameter: TyId,
+        /// What stands below the binder.
+        body: TermId,
+    },
+}
+
+/// Why two terms cannot be put together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum LogicError {
+    /// The function's parameter and the argument differ in type.
+    #[error("the argument has another type than the function takes")]
+    TypeMismatch,
+    /// What is applied is no function.
+    #[error("what is applied to an argument is not a function")]
+    NotAFunction,
+    /// `<a*,b>` where only a plain type may stand.
+    #[error("a variadic constant needs its arguments, and only a constant can be variadic")]
+    BareVariadic,
+    /// A variadic constant with fewer than two arguments.
+    #[error("a variadic constant takes two or more arguments")]
+    TooFewArguments,
+    /// The normal form, or the way to it, is too large.
+    #[error("the term's normal form is too large")]
+    TooLarge,
+}
+
+/// Nodes that a normal form may have, counted as a tree.
+pub const MAX_SIZE: u32 = 4096;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shape {
+    Constant(ConstantId),
+    Variable(u32),
+    Apply { head: TermId, start: u32, len: u32 },
+    Lambda { parameter: TyId, body: TermId },
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Stored {
+    shape: Shape,
+    ty: TyId,
+    /// One more than the largest de Bruijn index that points out of the term.
+    free: u32,
+    size: u32,
+}
+
+/// The constants that `and`, `or` and `not` simplification knows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Connectives {
+    pub(super) and: ConstantId,
+    pub(super) or: ConstantId,
+    pub(super) not: ConstantId,
+    pub(super) truth: TermId,
+    pub(super) falsity: TermId,
+}
+
+/// One arena of terms and types, with memoised application and composition.
+#[derive(Clone, Debug)]
+pub struct Terms {
+    /// The types of the arena.
+    pub types: Types,
+    constants: Vec<(Box<str>, TyId)>,
+    constant_index: FxHashMap<(Box<str>, TyId), ConstantId>,
+    stored: Vec<Stored>,
+    args: Vec<TermId>,
+    index: HashTable<TermId>,
+    pub(super) connectives: Connectives,
+    pub(super) applied: FxHashMap<(TermId, TermId), Result<TermId, LogicError>>,
+    pub(super) composed: FxHashMap<(TermId, TermId), Result<TermId, LogicError>>,
+}
+
+impl Default for Terms {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Terms {
+    /// An arena that knows `and`, `or`, `not`, `true` and `false`.
+    pub fn new() -> Self {
+        let unset = ConstantId(0);
+        let mut terms = Terms {
+            types: Types::default(),
+            constants: Vec::new(),
+            constant_index: FxHashMap::default(),
+            stored: Vec::new(),
+            args: Vec::new(),
+            index: HashTable::new(),
+            connectives: Connectives {
+                and: unset,
+                or: unset,
+                not: unset,
+                truth: TermId(0),
+                falsity: TermId(0),
+            },
+            applied: FxHashMap::default(),
+            composed: FxHashMap::default(),
+        };
+        let variadic = terms.types.intern(Type::Variadic(TRUTH, TRUTH));
+        let negation = terms.types.function(TRUTH, TRUTH);
+        let and = terms.constant("and", variadic);
+        let or = terms.constant("or", variadic);
+        let not = terms.constant("not", negation);
+        let truth = terms.constant("true", TRUTH);
+        let falsity = terms.constant("false", TRUTH);
+        terms.connectives = Connectives {
+            and,
+            or,
+            not,
+            truth: terms.raw_constant(truth),
+            falsity: terms.raw_constant(falsity),
+        };
+        terms
+    }
+
+    /// The term, one level deep.
+    pub fn node(&self, term: TermId) -> Node<'_> {
+        match self.at(term).shape {
+            Shape::Constant(constant) => Node::Constant(constant),
+            Shape::Variable(index) => Node::Variable(index),
+            Shape::Apply { head, start, len } => {
+                Node::Apply { head, args: &self.args[start as usize..(start + len) as usize] }
+            }
+            Shape::Lambda { parameter, body } => Node::Lambda { parameter, body },
+        }
+    }
+
+    /// The term's type.
+    pub fn ty(&self, term: TermId) -> TyId {
+        self.at(term).ty
+    }
+
+    /// The number of nodes of the term as a tree.
+    pub fn size(&self, term: TermId) -> u32 {
+        self.at(term).size
+    }
+
+    /// One more than the largest de Bruijn index that points out of the term: 0 when it is closed.
+    pub fn free(&self, term: TermId) -> u32 {
+        self.at(term).free
+    }
+
+    /// The name of a constant, without its type.
+    pub fn name(&self, constant: ConstantId) -> &str {
+        &self.constants[constant.0 as usize].0
+    }
+
+    /// The type of a constant.
+    pub fn constant_ty(&self, constant: ConstantId) -> TyId {
+        self.constants[constant.0 as usize].1
+    }
+
+    /// The constant of that name and type.
+    pub fn constant(&mut self, name: &str, ty: TyId) -> ConstantId {
+        let key = (Box::from(name), ty);
+        if let Some(&known) = self.constant_index.get(&key) {
+            return known;
+        }
+        let id = ConstantId(self.constants.len() as u32);
+        self.constants.push(key.clone());
+        self.constant_index.insert(key, id);
+        id
+    }
+
+    /// The constant that heads a term `c` or `c(…)`; `None` for a variable or an abstraction.
+    pub fn head_constant(&self, term: TermId) -> Option<ConstantId> {
+        match self.node(term) {
+            Node::Constant(constant) => Some(constant),
+            Node::Apply { head, .. } => self.head_constant(head),
+            Node::Variable(_) | Node::Lambda { .. } => None,
+        }
+    }
+
+    /// The order of conjuncts: by structure, never by id. Constant < variable < application < lambda.
+    pub fn compare(&self, a: TermId, b: TermId) -> Ordering {
+        if a == b {
+            return Ordering::Equal;
+        }
+        match (self.node(a), self.node(b)) {
+            (Node::Constant(c), Node::Constant(d)) => self
+                .name(c)
+                .as_bytes()
+                .cmp(self.name(d).as_bytes())
+                .then_with(|| self.compare_types(self.constant_ty(c), self.constant_ty(d))),
+            (Node::Variable(i), Node::Variable(j)) => {
+                i.cmp(&j).then_with(|| self.compare_types(self.ty(a), self.ty(b)))
+            }
+            (Node::Apply { head: f, args: xs }, Node::Apply { head: g, args: ys }) => self
+                .compare(f, g)
+                .then_with(|| self.compare_each(xs, ys))
+                .then_with(|| xs.len().cmp(&ys.len())),
+            (Node::Lambda { parameter: s, body: x }, Node::Lambda { parameter: t, body: y }) => {
+                self.compare_types(s, t).then_with(|| self.compare(x, y))
+            }
+            (x, y) => rank(x).cmp(&rank(y)),
+        }
+    }
+
+    fn compare_each(&self, xs: &[TermId], ys: &[TermId]) -> Ordering {
+        xs.iter()
+            .zip(ys)
+            .map(|(&x, &y)| self.compare(x, y))
+            .find(|order| order.is_ne())
+            .unwrap_or(Ordering::Equal)
+    }
+
+    fn compare_types(&self, s: TyId, t: TyId) -> Ordering {
+        if s == t { Ordering::Equal } else { self.types.print(s).cmp(&self.types.print(t)) }
+    }
+
+    fn at(&self, term: TermId) -> &Stored {
+        &self.stored[term.0 as usize]
+    }
+
+    /// A constant as a head, or as a term when its type is a base type.
+    pub(super) fn raw_constant(&mut self, constant: ConstantId) -> TermId {
+        let ty = self.constant_ty(constant);
+        self.intern(Stored { shape: Shape::Constant(constant), ty, free: 0, size: 1 }, &[])
+    }
+
+    /// A variable as a head, or as a term when its type is a base type.
+    pub(super) fn raw_variable(&mut self, index: u32, ty: TyId) -> TermId {
+        self.intern(Stored { shape: Shape::Variable(index), ty, free: index + 1, size: 1 }, &[])
+    }
+
+    /// An application whose parts are known to fit, in normal form and in canonical order.
+    pub(super) fn raw_apply(
+        &mut self,
+        head: TermId,
+        args: &[TermId],
+        ty: TyId,
+    ) -> Result<TermId, LogicError> {
+        let parts = args.iter().map(|&arg| self.at(arg));
+        let size =
+            parts.clone().fold(1 + self.size(head), |sum, part| sum.saturating_add(part.size));
+        let free = parts.fold(self.free(head), |most, part| most.max(part.free));
+        if size > MAX_SIZE {
+            return Err(LogicError::TooLarge);
+        }
+        let shape = Shape::Apply { head, start: self.args.len() as u32, len: args.len() as u32 };
+        Ok(self.intern(Stored { shape, ty, free, size }, args))
+    }
+
+    /// An abstraction over variable 0 of `body`.
+    pub fn lambda(&mut self, parameter: TyId, body: TermId) -> Result<TermId, LogicError> {
+        if self.types.has_variadic(parameter) {
+            return Err(LogicError::BareVariadic);
+        }
+        let below = *self.at(body);
+        if below.size >= MAX_SIZE {
+            return Err(LogicError::TooLarge);
+        }
+        let ty = self.types.function(parameter, below.ty);
+        let shape = Shape::Lambda { parameter, body };
+        let (free, size) = (below.free.saturating_sub(1), below.size + 1);
+        Ok(self.intern(Stored { shape, ty, free, size }, &[]))
+    }
+
+    /// The one id of a term; `args` are those of an application and are stored only when it is new.
+    fn intern(&mut self, new: Stored, args: &[TermId]) -> TermId {
+        let hash = hash(new.shape, new.ty, args);
+        let Terms { stored, args: all, index, .. } = self;
+        let same = |id: &TermId| {
+            let old = &stored[id.0 as usize];
+            match (old.shape, new.shape) {
+                (Shape::Apply { head: f, start, len }, Shape::Apply { head: g, .. }) => {
+                    f == g && &all[start as usize..(start + len) as usize] == args
+                }
+                (old_shape, new_shape) => old_shape == new_shape && old.ty == new.ty,
+            }
+        };
+        if let Some(&known) = index.find(hash, same) {
+            return known;
+        }
+        let id = TermId(stored.len() as u32);
+        stored.push(new);
+        all.extend_from_slice(args);
+        index.insert_unique(hash, id, |&id| {
+            let Stored { shape, ty, .. } = stored[id.0 as usize];
+            let args = match shape {
+                Shape::Apply { start, len, .. } => &all[start as usize..(start + len) as usize],
+                _ => &[],
+            };
+            self::hash(shape, ty, args)
+        });
+        id
+    }
+}
+
+fn rank(node: Node<'_>) -> u8 {
+    match node {
+        Node::Constant(_) => 0,
+        Node::Variable(_) => 1,
+        Node::Apply { .. } => 2,
+        Node::Lambda { .. } => 3,
+    }
+}
+
+fn hash(shape: Shape, ty: TyId, args: &[TermId]) -> u64 {
+    let mut hasher = FxHasher::default();
+    match shape {
+        Shape::Constant(constant) => (0u8, constant).hash(&mut hasher),
+        Shape::Variable(index) => (1u8, index, ty).hash(&mut hasher),
+        Shape::Apply { head, .. } => (2u8, head, args).hash(&mut hasher),
+        Shape::Lambda { parameter, body } => (3u8, parameter, body).hash(&mut hasher),
+    }
+    hasher.finish()
+}
