@@ -7,7 +7,7 @@
 //! Reward Functions with Weak Supervision*.
 //!
 //! Modules stand in reading order, which is the way of the data; imports go one way only
-//! (`tests/tidy.rs` holds both).
+//! (`tests/suite/tidy.rs` holds both).
 
 pub mod logic;
 pub mod mdp;

@@ -1,0 +1,10 @@
+//! The one native integration binary: a module a topic, in the reading order of `src/lib.rs`.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::print_stderr,
+    reason = "a failing test panics"
+)]
+
+#[path = "suite/tidy.rs"]
+mod tidy;

@@ -1,0 +1,192 @@
+//! Tidiness: the shape of the project, held from the first day. Every rule is tried on the whole tree and
+//! on a sample that breaks it, so that each is seen to be able to fail.
+
+#[path = "tidy/arrows.rs"]
+mod arrows;
+#[path = "tidy/file.rs"]
+mod file;
+#[path = "tidy/rules.rs"]
+mod rules;
+
+use file::File;
+
+/// What may stand at the top of the repository.
+const TOP: [&str; 18] = [
+    ".cargo",
+    ".ci",
+    ".clippy.toml",
+    ".gitattributes",
+    ".github",
+    ".gitignore",
+    ".rustfmt.toml",
+    "Cargo.lock",
+    "Cargo.toml",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "Makefile",
+    "README.md",
+    "Trunk.toml",
+    "assets",
+    "src",
+    "tests",
+    "www",
+];
+
+/// Runs `rule` over the tree.
+#[track_caller]
+fn holds(rule: fn(&File) -> Vec<String>) {
+    let complaints: Vec<String> = file::tree()
+        .iter()
+        .flat_map(|file| rule(file).into_iter().map(|what| format!("{}: {what}", file.path)))
+        .collect();
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
+/// Runs `rule` over a sample that breaks it and over one that does not.
+#[track_caller]
+fn tells_apart(rule: fn(&File) -> Vec<String>, path: &str, bad: &str, good: &str) {
+    assert!(!rule(&File::new(path, bad)).is_empty(), "not caught in {path}: {bad}");
+    assert_eq!(rule(&File::new(path, good)), Vec::<String>::new(), "wrongly caught: {good}");
+}
+
+#[test]
+fn imports_go_one_way() {
+    let rule = arrows::imports_go_one_way;
+    tells_apart(rule, "src/logic/a.rs", "use crate::ccg::Chart;", "use crate::logic::Ty;");
+    tells_apart(rule, "src/plan/a.rs", "fn f(s: crate::domain::State) {}", "use crate::mdp::Mdp;");
+    tells_apart(
+        rule,
+        "src/ground/a.rs",
+        "use crate::{\n    logic::{Terms, TermId as T},\n    domain::State, learn::Trainer,\n};",
+        "use crate::{\n    logic::{Terms, TermId as T},\n    domain::State, mdp,\n};",
+    );
+    tells_apart(
+        rule,
+        "src/ui/a.rs",
+        "use crate::worker::job::Job;",
+        "use crate::worker::protocol::Event;",
+    );
+    tells_apart(rule, "src/logic/a.rs", "use super::super::ground::Goal;", "use super::ty::Ty;");
+    assert!(!rule(&File::new("src/shell/a.rs", "fn f() {}")).is_empty(), "a module of no place");
+    holds(rule);
+}
+
+#[test]
+fn modules_stand_in_reading_order() {
+    let rule = arrows::modules_stand_in_reading_order;
+    tells_apart(
+        rule,
+        "src/lib.rs",
+        "pub mod plan;\npub mod logic;",
+        "pub mod logic;\npub mod plan;",
+    );
+    tells_apart(rule, "src/lib.rs", "pub mod helpers;", "pub mod ccg;");
+    holds(rule);
+}
+
+#[test]
+fn files_are_short() {
+    let rule = rules::is_short;
+    tells_apart(rule, "src/logic/a.rs", &"//\n".repeat(501), &"//\n".repeat(500));
+    tells_apart(rule, "tests/e2e/a.mjs", &"//\n".repeat(501), &"//\n".repeat(500));
+    holds(rule);
+}
+
+#[test]
+fn files_begin_by_saying_what_they_are() {
+    let rule = rules::has_a_head;
+    tells_apart(rule, "src/a.rs", "fn f() {}", "//! What this file is, in a few words.");
+    tells_apart(rule, "tests/e2e/a.mjs", "let a = 1;", "// What this file is, in a few words.");
+    tells_apart(rule, "www/a.css", "a { }", "/* What this file is, in a few words. */");
+    tells_apart(
+        rule,
+        "tests/a.sh",
+        "#!/bin/sh\nls",
+        "#!/bin/sh\n# What this file is, in a few words.",
+    );
+    holds(rule);
+}
+
+#[test]
+fn mod_files_only_list() {
+    let rule = rules::mod_files_only_list;
+    let good = "//! Docs.\npub mod a;\n#[cfg(target_arch = \"wasm32\")]\nmod gpu;\npub use a::{\n    A,\n};";
+    tells_apart(rule, "src/logic/mod.rs", "pub mod a;\nfn f() {}", good);
+    holds(rule);
+}
+
+#[test]
+fn only_the_edge_asks_where_it_is_built() {
+    let rule = rules::cfg_only_at_the_edge;
+    let admits = "#[cfg(target_arch = \"wasm32\")]\npub mod gpu;\n#[cfg(test)]\nmod tests {}";
+    tells_apart(
+        rule,
+        "src/render/mod.rs",
+        "#[cfg(target_arch = \"wasm32\")]\npub mod scene;",
+        admits,
+    );
+    tells_apart(rule, "src/plan/a.rs", "if cfg!(debug_assertions) {}", "// cfg!(debug_assertions)");
+    assert!(rule(&File::new("src/render/gpu.rs", "#[cfg(test)] #[cfg(windows)]")).is_empty());
+    holds(rule);
+}
+
+#[test]
+fn the_core_is_pure() {
+    let rule = rules::core_is_pure;
+    tells_apart(rule, "src/plan/a.rs", "use std::time::Duration;", "// no std::time here");
+    tells_apart(rule, "src/plan/a.rs", "std::thread::spawn(f);", "let thread = 1;");
+    tells_apart(rule, "src/plan/a.rs", "println!();", "writeln!(out);");
+    tells_apart(rule, "src/plan/a.rs", "x.powf(1.1)", "libm::pow(x, 1.1)");
+    tells_apart(
+        rule,
+        "src/plan/a.rs",
+        "use std::collections::HashMap;",
+        "use rustc_hash::FxHashMap;",
+    );
+    tells_apart(
+        rule,
+        "src/plan/a.rs",
+        "rand::rng()",
+        "fn f() {}\n#[cfg(test)]\nmod tests { println!(); }",
+    );
+    assert!(rule(&File::new("src/bin/groundling.rs", "println!();")).is_empty());
+    holds(rule);
+}
+
+#[test]
+fn names_come_in_one_by_one() {
+    tells_apart(rules::no_globs, "src/a.rs", "use super::*;", "let a = b * c; // ::*");
+    holds(rules::no_globs);
+}
+
+#[test]
+fn nothing_is_left_for_later() {
+    let rule = rules::nothing_left_for_later;
+    tells_apart(rule, "src/a.rs", "todo!()", "// todo!()");
+    tells_apart(rule, "tests/a.rs", "#[ignore]\nfn f() {}", "#[test]\nfn f() {}");
+    holds(rule);
+}
+
+#[test]
+fn no_file_names_a_machine() {
+    let rule = rules::names_no_machine;
+    tells_apart(rule, "README.md", &format!("see /{}/me/x", "home"), "see src/home/me");
+    tells_apart(rule, "Makefile", &format!("curl {}.org", "npmjs"), "curl example.org");
+    holds(rule);
+}
+
+#[test]
+fn crates_of_the_browser_are_for_wasm_only() {
+    let rule = rules::browser_crates_are_wasm_only;
+    let good = "[target.'cfg(target_arch = \"wasm32\")'.dependencies]\nyew = \"1\"\n[lints.rust]";
+    tells_apart(rule, "Cargo.toml", "[dependencies]\nyew = \"1\"", good);
+    holds(rule);
+}
+
+#[test]
+fn the_top_level_is_the_one_of_the_design() {
+    let stray: Vec<String> =
+        file::top_level().into_iter().filter(|name| !TOP.contains(&name.as_str())).collect();
+    assert!(stray.is_empty(), "not named by the design: {stray:?}");
+    assert!(!TOP.contains(&"utils"));
+}

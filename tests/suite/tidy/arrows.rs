@@ -1,0 +1,116 @@
+//! Which module may import which, and the order in which they are read.
+
+use super::file::File;
+
+/// The modules in reading order, each with what it may import. `worker::protocol` admits that part alone.
+pub(super) const ARROWS: [(&str, &[&str]); 13] = [
+    ("logic", &[]),
+    ("ccg", &["logic"]),
+    ("mdp", &[]),
+    ("domain", &["mdp"]),
+    ("ground", &["logic", "mdp", "domain"]),
+    ("plan", &["mdp"]),
+    ("corpus", &["domain"]),
+    ("learn", &["logic", "ccg", "mdp", "domain", "ground", "plan", "corpus"]),
+    ("study", &["logic", "ccg", "mdp", "domain", "ground", "plan", "corpus", "learn"]),
+    ("render", &["domain"]),
+    ("worker", &["logic", "ccg", "mdp", "domain", "ground", "plan", "corpus", "learn", "study"]),
+    ("robot", &["domain", "mdp", "plan"]),
+    ("ui", &["worker::protocol", "render", "domain", "corpus", "study", "robot"]),
+];
+
+/// Says so when a file of `src/` imports against the arrows.
+pub(super) fn imports_go_one_way(file: &File) -> Vec<String> {
+    let Some(module) = file.path.strip_prefix("src/").and_then(|path| path.split_once('/')) else {
+        return Vec::new();
+    };
+    let Some((own, allowed)) = ARROWS.iter().find(|(name, _)| *name == module.0) else {
+        return if module.0 == "bin" {
+            Vec::new()
+        } else {
+            vec![format!("src/{} is not in the reading order", module.0)]
+        };
+    };
+    let mut complaints = Vec::new();
+    for path in paths_from_root(file) {
+        let part = path.split("::").next().unwrap_or_default();
+        let known = ARROWS.iter().any(|(name, _)| *name == part);
+        let admitted = part == *own
+            || allowed.iter().any(|a| {
+                path == *a || path.strip_prefix(a).is_some_and(|rest| rest.starts_with("::"))
+            });
+        if known && !admitted {
+            complaints.push(format!("{own} must not import {path}"));
+        }
+    }
+    complaints
+}
+
+/// Says so when `lib.rs` does not declare its modules in reading order.
+pub(super) fn modules_stand_in_reading_order(file: &File) -> Vec<String> {
+    if file.path != "src/lib.rs" {
+        return Vec::new();
+    }
+    let mut last = 0;
+    let mut complaints = Vec::new();
+    for line in file.code.lines() {
+        let Some(name) = line.trim().strip_prefix("pub mod ").and_then(|l| l.strip_suffix(';'))
+        else {
+            continue;
+        };
+        match ARROWS.iter().position(|(module, _)| *module == name) {
+            Some(place) if place >= last => last = place,
+            Some(_) => complaints.push(format!("{name} stands too late")),
+            None => complaints.push(format!("{name} is not in the reading order")),
+        }
+    }
+    complaints
+}
+
+/// Every path that starts at the crate's root, without `crate::`: from `use` trees and from the code alike.
+fn paths_from_root(file: &File) -> Vec<String> {
+    let code: String = file.code.split_whitespace().collect::<Vec<_>>().join(" ");
+    let code = code.replace(":: ", "::").replace(" ::", "::").replace("{ ", "{").replace(", ", ",");
+    // How many `super::` lead from this file to the root.
+    let folders = file.path.trim_start_matches("src/").matches('/').count();
+    let depth = if file.path.ends_with("/mod.rs") { folders } else { folders + 1 };
+    let up = "super::".repeat(depth);
+    let mut paths = Vec::new();
+    for start in ["crate::", up.as_str()] {
+        for (at, _) in code.match_indices(start) {
+            let before = code.get(..at).unwrap_or_default().chars().next_back();
+            if before.is_some_and(|c| c.is_alphanumeric() || c == '_' || c == '$') {
+                continue;
+            }
+            expand("", code.get(at + start.len()..).unwrap_or_default(), &mut paths);
+        }
+    }
+    paths
+}
+
+/// Expands the `use` tree (or plain path) that `rest` begins with; returns what follows it.
+fn expand<'a>(prefix: &str, rest: &'a str, paths: &mut Vec<String>) -> &'a str {
+    if let Some(mut inner) = rest.strip_prefix('{') {
+        loop {
+            inner = expand(prefix, inner, paths);
+            match inner.chars().next() {
+                Some(',') => inner = &inner[1..],
+                Some('}') => return &inner[1..],
+                _ => return inner,
+            }
+        }
+    }
+    let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
+    let (name, after) = rest.split_at(end);
+    let path = if prefix.is_empty() { name.to_owned() } else { format!("{prefix}::{name}") };
+    match after.strip_prefix("::") {
+        Some(more) => expand(&path, more, paths),
+        None => {
+            if !name.is_empty() {
+                paths.push(path);
+            }
+            let end = after.find([',', '}', ';']).unwrap_or(after.len());
+            if after.starts_with(" as ") { &after[end..] } else { after }
+        }
+    }
+}

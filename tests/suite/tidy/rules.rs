@@ -1,0 +1,272 @@
+//! The rules of a single file: size, head comment, what a `mod.rs` holds, `cfg`, globs, loose ends,
+//! a pure core, no address of a machine. Each returns its complaints.
+
+use super::file::File;
+
+/// The most lines that a source file may have.
+const MOST_LINES: usize = 500;
+
+/// Endings of what is written by hand as source.
+const SOURCES: [&str; 7] = ["rs", "mjs", "js", "css", "wgsl", "sh", "html"];
+
+/// Says so when a source file is too long to be read at a sitting.
+pub(super) fn is_short(file: &File) -> Vec<String> {
+    let lines = file.text.lines().count();
+    let counts = SOURCES.contains(&file.ending()) && lines > MOST_LINES;
+    counts.then(|| format!("{lines} lines, at most {MOST_LINES}")).into_iter().collect()
+}
+
+/// Says so when a source file does not begin by saying what it is.
+pub(super) fn has_a_head(file: &File) -> Vec<String> {
+    let first = file.text.lines().find(|line| !line.starts_with("#!") || line.starts_with("#!["));
+    let head = first.unwrap_or_default();
+    let starts: &[&str] = match file.ending() {
+        "rs" => &["//! "],
+        "mjs" | "js" | "wgsl" => &["// ", "/* ", "/** "],
+        "css" => &["/* "],
+        "sh" => &["# "],
+        _ if file.path == "Makefile" || file.path == ".ci/run" => &["# "],
+        _ => return Vec::new(),
+    };
+    let good = starts.iter().any(|start| head.starts_with(start) && head.len() > 20);
+    (!good).then(|| "no head comment".to_owned()).into_iter().collect()
+}
+
+/// Says so when a `mod.rs` holds more than its docs, its modules and what it hands on.
+pub(super) fn mod_files_only_list(file: &File) -> Vec<String> {
+    if !file.path.starts_with("src/") || !file.path.ends_with("/mod.rs") {
+        return Vec::new();
+    }
+    let items = ["pub mod ", "mod ", "pub use ", "pub(crate) mod ", "pub(crate) use ", "#["];
+    let mut complaints = Vec::new();
+    let mut open = false;
+    for (number, line) in file.code_lines() {
+        let line = line.trim();
+        if !open && !line.is_empty() && !items.iter().any(|item| line.starts_with(item)) {
+            complaints.push(format!("line {number}: only docs, `mod` and `pub use` belong here"));
+        }
+        open = !line.is_empty() && !line.ends_with(';') && !line.ends_with(']') && {
+            open || items.iter().any(|item| line.starts_with(item))
+        };
+    }
+    complaints
+}
+
+/// Whether a path belongs to the core, which is the same everywhere (invariant 2 of `src/lib.rs`).
+fn is_core(path: &str) -> bool {
+    let edge = ["/gpu.rs", "/agent.rs", "/link.rs", "/gpu/", "/agent/", "/link/"];
+    path.starts_with("src/")
+        && path.ends_with(".rs")
+        && !path.starts_with("src/bin/")
+        && !path.starts_with("src/ui/view/")
+        && path != "src/ui/view.rs"
+        && !edge.iter().any(|part| path.contains(part))
+}
+
+/// Says so when the core asks where it is built, but for tests and the lines that admit a wasm-only file.
+pub(super) fn cfg_only_at_the_edge(file: &File) -> Vec<String> {
+    if !is_core(&file.path) {
+        return Vec::new();
+    }
+    let lines: Vec<&str> = file.text.lines().collect();
+    let admits = |number: usize| {
+        let here = lines.get(number - 1).copied().unwrap_or_default().trim();
+        let next = lines.get(number).copied().unwrap_or_default().trim();
+        let line = format!("{here} {next}");
+        ["gpu", "agent", "link", "view"].iter().any(|name| {
+            ["pub mod", "mod", "pub(crate) mod"].iter().any(|kind| {
+                line.starts_with(&format!("#[cfg(target_arch = \"wasm32\")] {kind} {name};"))
+            })
+        })
+    };
+    let mut complaints = Vec::new();
+    for (number, line) in file.code.lines().enumerate().map(|(index, line)| (index + 1, line)) {
+        let asks =
+            ["cfg(", "cfg!", "cfg_attr", "cfg_select"].iter().any(|word| has_word(line, word));
+        if asks && !line.trim().starts_with("#[cfg(test)]") && !admits(number) {
+            complaints.push(format!("line {number}: `cfg` in the core: {}", line.trim()));
+        }
+    }
+    complaints
+}
+
+/// Says so when the core reaches for a clock, a thread, the system or the console, or for maths that
+/// differs between machines.
+pub(super) fn core_is_pure(file: &File) -> Vec<String> {
+    const SYSTEM: [&str; 22] = [
+        "std::time",
+        "std::thread",
+        "std::env",
+        "std::fs",
+        "std::net",
+        "std::process",
+        "std::io::stdin",
+        "std::io::stdout",
+        "std::io::stderr",
+        "Instant",
+        "SystemTime",
+        "getrandom",
+        "thread_rng",
+        "OsRng",
+        "StdRng",
+        "rand::rng",
+        "RandomState",
+        "println!",
+        "print!",
+        "eprintln!",
+        "eprint!",
+        "include!",
+    ];
+    const HASHES: [&str; 2] = ["HashMap", "HashSet"];
+    const MATHS: [&str; 24] = [
+        "powf(",
+        "powi(",
+        "exp(",
+        "exp2(",
+        "exp_m1(",
+        "ln(",
+        "ln_1p(",
+        "log(",
+        "log2(",
+        "log10(",
+        "sin(",
+        "cos(",
+        "tan(",
+        "asin(",
+        "acos(",
+        "atan(",
+        "atan2(",
+        "sinh(",
+        "cosh(",
+        "tanh(",
+        "cbrt(",
+        "hypot(",
+        "mul_add(",
+        "algebraic_add(",
+    ];
+    if !is_core(&file.path) {
+        return Vec::new();
+    }
+    let mut complaints = Vec::new();
+    for (number, line) in file.code_lines() {
+        if let Some(word) = SYSTEM.iter().find(|word| has_word(line, word)) {
+            complaints.push(format!("line {number}: {word} in the core"));
+        }
+        if let Some(word) = HASHES.iter().find(|word| has_word(line, word)) {
+            complaints
+                .push(format!("line {number}: {word} is seeded by the system; take Fx{word}"));
+        }
+        let method = |name: &&&str| {
+            line.contains(&format!(".{name}"))
+                || line.contains(&format!("f64::{name}"))
+                || line.contains(&format!("f32::{name}"))
+        };
+        if let Some(name) = MATHS.iter().find(method) {
+            let name = name.trim_end_matches('(');
+            complaints.push(format!("line {number}: {name} differs between machines; take libm's"));
+        }
+    }
+    complaints
+}
+
+/// Says so when names come in by the handful.
+pub(super) fn no_globs(file: &File) -> Vec<String> {
+    if file.ending() != "rs" {
+        return Vec::new();
+    }
+    file.code
+        .lines()
+        .enumerate()
+        .filter(|(_, line)| line.contains("::*") || line.contains("{*}"))
+        .map(|(index, line)| format!("line {}: glob: {}", index + 1, line.trim()))
+        .collect()
+}
+
+/// Says so when something was left for later.
+pub(super) fn nothing_left_for_later(file: &File) -> Vec<String> {
+    if file.ending() != "rs" {
+        return Vec::new();
+    }
+    let loose =
+        ["todo!", "unimplemented!", "dbg!", "#[ignore", "#![allow(dead_code", "#[allow(dead_code"];
+    let mut complaints = Vec::new();
+    for (index, line) in file.code.lines().enumerate() {
+        for word in loose.iter().filter(|word| has_word(line, word)) {
+            complaints.push(format!("line {}: {word}", index + 1));
+        }
+    }
+    complaints
+}
+
+/// Says so when a file names a package registry or a path of somebody's machine.
+pub(super) fn names_no_machine(file: &File) -> Vec<String> {
+    // Written in halves, so that this file does not name them itself.
+    const HOSTS: [(&str, &str); 8] = [
+        ("crates", ".io"),
+        ("npmjs", ".org"),
+        ("npmjs", ".com"),
+        ("yarnpkg", ".com"),
+        ("pypi", ".org"),
+        ("deb.debian", ".org"),
+        ("proxy.golang", ".org"),
+        ("unpkg", ".com"),
+    ];
+    const PATHS: [(&str, &str); 6] = [
+        ("/wo", "rk/"),
+        ("/ro", "ot/"),
+        ("/tm", "p/"),
+        ("/ho", "me/"),
+        ("/Us", "ers/"),
+        ("file:", "///"),
+    ];
+    let mut complaints = Vec::new();
+    for (index, line) in file.text.lines().enumerate() {
+        // Cargo itself writes this name of its index into every lock file.
+        let cargo = file.path == "Cargo.lock" && line.starts_with("source = \"registry+");
+        for (a, b) in HOSTS.iter().filter(|_| !cargo) {
+            if line.contains(&format!("{a}{b}")) {
+                complaints.push(format!("line {}: names a registry, {a}{b}", index + 1));
+            }
+        }
+        for (a, b) in PATHS {
+            let path = format!("{a}{b}");
+            let found = line.match_indices(&path).any(|(at, _)| {
+                let before = line.get(..at).unwrap_or_default().chars().next_back();
+                !before.is_some_and(|c| c.is_alphanumeric() || "_-.})$*".contains(c))
+            });
+            if found {
+                complaints.push(format!("line {}: a machine's path, {path}", index + 1));
+            }
+        }
+    }
+    complaints
+}
+
+/// Says so when a crate of the browser is linked natively.
+pub(super) fn browser_crates_are_wasm_only(file: &File) -> Vec<String> {
+    const BROWSER: [&str; 6] = ["wasm-bindgen", "web-sys", "js-sys", "yew", "wgpu", "gloo"];
+    if file.path != "Cargo.toml" {
+        return Vec::new();
+    }
+    let mut native = false;
+    let mut complaints = Vec::new();
+    for (index, line) in file.text.lines().enumerate() {
+        if line.starts_with('[') {
+            native = line.contains("dependencies") && !line.contains("wasm32");
+        }
+        if native && BROWSER.iter().any(|name| line.starts_with(name)) {
+            complaints.push(format!("line {}: for the browser only: {line}", index + 1));
+        }
+    }
+    complaints
+}
+
+/// Whether `word` stands in `line` and is not the tail of a longer name.
+fn has_word(line: &str, word: &str) -> bool {
+    line.match_indices(word).any(|(at, _)| {
+        let before = line.get(..at).unwrap_or_default().chars().next_back();
+        let after = line.get(at + word.len()..).unwrap_or_default().chars().next();
+        let name = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
+        !(name(before) || name(after) && name(word.chars().next_back()))
+    })
+}
