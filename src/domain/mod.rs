@@ -1,7 +1,13 @@
 //! Cleanup World as an object-oriented MDP (MacGlashan et al. 2015; Diuk et al. 2008). Knows no language.
 
+pub(crate) mod name;
 pub mod object;
+pub mod layout;
 pub mod state;
+pub mod generate;
 
+pub use generate::{Plan, generate};
+pub use layout::{Cell, Layout, cell_at};
+pub use name::UnknownName;
 pub use object::{Agent, Bounds, Color, Direction, Door, Lock, Object, Room, Shape, Size};
-pub use state::State;
+pub use state::{ReadError, State, StateError};
