@@ -8,3 +8,5 @@
 
 #[path = "suite/tidy.rs"]
 mod tidy;
+#[path = "suite/world.rs"]
+mod world;

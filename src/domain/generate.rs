@@ -115,7 +115,14 @@ fn furnish(state: &mut State, count: u32, rng: &mut Pcg64Mcg) {
         }
         let (x, y) = layout.cell(floor.swap_remove(index(floor.len(), rng)));
         let (shape, color) = looks.swap_remove(index(looks.len(), rng));
-        state.objects.push(Object { name: format!("object{number}"), shape, color, size: None, x, y });
+        state.objects.push(Object {
+            name: format!("object{number}"),
+            shape,
+            color,
+            size: None,
+            x,
+            y,
+        });
     }
 }
 
