@@ -12,4 +12,5 @@
 pub mod logic;
 pub mod mdp;
 pub mod domain;
+pub mod render;
 pub mod worker;

@@ -1,0 +1,97 @@
+//! The one primitive of a picture: a rotated rectangle in which the fragment shader (`scene.wgsl`) draws a
+//! figure from signed distances. Units are cells, angles are radians counter-clockwise, y grows north.
+//! Invariant: [`Figure`]'s numbers are those of `scene.wgsl`.
+
+use super::palette::Rgba;
+use crate::domain::Shape;
+
+/// What is drawn inside a quad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Figure {
+    /// A rectangle; `detail` = [corner radius, blur].
+    Rect = 0,
+    /// A rectangle's outline in `ink` around a tint in `fill`; `detail` = [corner radius, line width].
+    Frame = 1,
+    /// Lines between the cells of the quad in `ink`, which starts on a cell's corner.
+    Grid = 2,
+    /// A round badge with a padlock.
+    Padlock = 3,
+    /// A round badge with a question mark.
+    Question = 4,
+    /// The robot from above, looking north when not turned.
+    Robot = 5,
+    /// A chair.
+    Chair = 6,
+    /// A basket.
+    Basket = 7,
+    /// A block.
+    Block = 8,
+    /// A bag.
+    Bag = 9,
+    /// A backpack.
+    Backpack = 10,
+    /// A box.
+    Box = 11,
+}
+
+impl From<Shape> for Figure {
+    fn from(shape: Shape) -> Self {
+        match shape {
+            Shape::Chair => Self::Chair,
+            Shape::Basket => Self::Basket,
+            Shape::Block => Self::Block,
+            Shape::Bag => Self::Bag,
+            Shape::Backpack => Self::Backpack,
+            Shape::Box => Self::Box,
+        }
+    }
+}
+
+/// One instance of the draw call.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quad {
+    /// Its centre.
+    pub centre: [f32; 2],
+    /// Half its width and height, before it is turned.
+    pub half: [f32; 2],
+    /// How far it is turned.
+    pub turn: f32,
+    /// What is drawn in it.
+    pub figure: Figure,
+    /// Two lengths whose meaning the figure gives.
+    pub detail: [f32; 2],
+    /// The main colour.
+    pub fill: Rgba,
+    /// The second colour: lines, outlines.
+    pub ink: Rgba,
+}
+
+impl Quad {
+    /// Numbers an instance takes.
+    pub const FLOATS: usize = 16;
+
+    /// A sharp rectangle with rounded corners.
+    pub fn rect(centre: [f32; 2], half: [f32; 2], corner: f32, fill: Rgba) -> Self {
+        let figure = Figure::Rect;
+        Self { centre, half, turn: 0.0, figure, detail: [corner, 0.0], fill, ink: fill }
+    }
+
+    /// A rectangle whose edge fades over `blur` to either side.
+    pub fn soft(centre: [f32; 2], half: [f32; 2], corner: f32, blur: f32, fill: Rgba) -> Self {
+        Self { detail: [corner, blur], ..Self::rect(centre, half, corner, fill) }
+    }
+
+    /// A figure that fills a square.
+    pub fn icon(figure: Figure, centre: [f32; 2], half: f32, fill: Rgba, ink: Rgba) -> Self {
+        let detail = [0.0, 0.0];
+        Self { centre, half: [half, half], turn: 0.0, figure, detail, fill, ink }
+    }
+
+    /// The instance as the shader reads it: centre, half, turn, figure, detail, fill, ink.
+    pub fn floats(&self) -> [f32; Self::FLOATS] {
+        let ([x, y], [w, h], [p, q]) = (self.centre, self.half, self.detail);
+        let (Rgba([r, g, b, a]), Rgba([s, t, u, v])) = (self.fill, self.ink);
+        [x, y, w, h, self.turn, f32::from(self.figure as u8), p, q, r, g, b, a, s, t, u, v]
+    }
+}
