@@ -1,0 +1,22 @@
+//! `reduce`: a term a line in, its normal form out.
+
+use super::command::{Command, Done, Failure, answer_lines, only_files};
+use groundling::logic::{Terms, print, read};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "reduce",
+    about: "Bring λ-terms into normal form",
+    usage: "[FILE…]",
+    details: "In:  a term a line, such as ((lambda $0:e (red:<e,t> $0)) ball:e)\n\
+              Out: its β-normal, η-long form with conjuncts in order; a bad line is answered by\n\
+              \x20    {\"error\", \"line\"} in its place",
+    run,
+};
+
+fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
+    answer_lines(&only_files(arguments)?, |line| {
+        let mut terms = Terms::new();
+        let term = read(&mut terms, line).map_err(|e| e.to_string())?;
+        Ok(print(&terms, term))
+    })
+}
