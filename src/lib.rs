@@ -12,5 +12,4 @@
 pub mod logic;
 pub mod mdp;
 pub mod domain;
-pub mod render;
-pub mod worker;
+pub mod corpus;

@@ -10,3 +10,5 @@
 mod tidy;
 #[path = "suite/world.rs"]
 mod world;
+#[path = "suite/corpus.rs"]
+mod corpus;

@@ -1,0 +1,12 @@
+//! Examples in and out: commands with states before and after, as Mechanical Turk's batch-results CSV and as
+//! JSON lines. A reader gives good rows and what is wrong with the bad ones; neither stops the other.
+
+pub mod cell;
+pub mod example;
+pub mod jsonl;
+pub mod mturk;
+pub mod read;
+pub mod record;
+
+pub use example::{Corpus, Example, Flaw, Pair, Row};
+pub use read::{Form, Options, Rows, read};
