@@ -10,6 +10,7 @@
 //! (`tests/suite/tidy.rs` holds both).
 
 pub mod logic;
+pub mod ccg;
 pub mod mdp;
 pub mod domain;
 pub mod corpus;

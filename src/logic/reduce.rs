@@ -86,6 +86,14 @@ impl Terms {
         self.apply_variadic("and", ty, args)
     }
 
+    /// A head as [`super::Node::Apply`] holds it with other arguments of the same types, in canonical form.
+    ///
+    /// # Errors
+    /// When the head takes no such arguments or the result is too large.
+    pub fn apply_head(&mut self, head: TermId, args: &[TermId]) -> Result<TermId, LogicError> {
+        self.saturate(head, args.to_vec())
+    }
+
     fn compose_once(&mut self, f: TermId, g: TermId) -> Result<TermId, LogicError> {
         let Node::Lambda { parameter, body } = self.node(g) else {
             return Err(LogicError::NotAFunction);

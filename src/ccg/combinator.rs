@@ -1,0 +1,258 @@
+//! The combinatory rules as rows of two tables, and a cache from a pair of syntactic categories to the rows
+//! that combine it: rejecting a pair costs one look-up. Normal form after Eisner (1996).
+
+use super::category::Category;
+use super::syntax::{Atom, Direction, SyntaxId, Syntaxes};
+use crate::logic::{ConstantId, LogicError, TermId, Terms, ty};
+use rustc_hash::FxHashMap;
+
+/// A row of [`RULES`], or after those of [`SHIFTS`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct RuleId(pub u8);
+
+/// A rule for two neighbours.
+pub struct Rule {
+    /// Its name in derivations and features.
+    pub name: &'static str,
+    syntax: fn(&mut Syntaxes, SyntaxId, SyntaxId) -> Option<SyntaxId>,
+    meaning: fn(&mut Terms, TermId, TermId) -> Result<TermId, LogicError>,
+    /// The neighbour that is the functor.
+    functor: Side,
+    /// How what comes out may not be used at once (Eisner 1996).
+    made: Made,
+}
+
+/// A rule for one constituent.
+pub struct Shift {
+    /// Its name in derivations and features.
+    pub name: &'static str,
+    from: Atom,
+    to: (Atom, Direction, Atom),
+    meaning: fn(&mut Terms, TermId) -> Result<TermId, LogicError>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Left,
+    Right,
+    Neither,
+}
+
+/// How a constituent was made, as far as the normal form asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Made {
+    /// From the lexicon, by application, or by any rule without restriction.
+    Plainly,
+    /// By forward composition: it may not be the functor of a forward rule.
+    ByForwardComposition,
+    /// By backward composition: it may not be the functor of a backward rule.
+    ByBackwardComposition,
+    /// By a shift: it may not shift again.
+    ByShift,
+}
+
+/// The binary rules. The order is the order of ties.
+pub const RULES: &[Rule] = &[
+    Rule {
+        name: ">",
+        syntax: |all, left, right| {
+            let (result, argument) = all.forward(left)?;
+            (argument == right).then_some(result)
+        },
+        meaning: |terms, left, right| terms.apply(left, right),
+        functor: Side::Left,
+        made: Made::Plainly,
+    },
+    Rule {
+        name: "<",
+        syntax: |all, left, right| {
+            let (result, argument) = all.backward(right)?;
+            (argument == left).then_some(result)
+        },
+        meaning: |terms, left, right| terms.apply(right, left),
+        functor: Side::Right,
+        made: Made::Plainly,
+    },
+    Rule {
+        name: ">B",
+        syntax: |all, left, right| {
+            let (result, middle) = all.forward(left)?;
+            let (inner, argument) = all.forward(right)?;
+            (middle == inner).then(|| all.slash(result, Direction::Right, argument))
+        },
+        meaning: |terms, left, right| terms.compose(left, right),
+        functor: Side::Left,
+        made: Made::ByForwardComposition,
+    },
+    Rule {
+        name: "<B",
+        syntax: |all, left, right| {
+            let (result, middle) = all.backward(right)?;
+            let (inner, argument) = all.backward(left)?;
+            (middle == inner).then(|| all.slash(result, Direction::Left, argument))
+        },
+        meaning: |terms, left, right| terms.compose(right, left),
+        functor: Side::Right,
+        made: Made::ByBackwardComposition,
+    },
+    Rule {
+        name: ">T",
+        syntax: |all, left, right| {
+            let (inner, argument) = all.forward(right)?;
+            let (result, subject) = all.backward(inner)?;
+            (subject == left).then(|| all.slash(result, Direction::Right, argument))
+        },
+        meaning: raised_composition,
+        functor: Side::Neither,
+        made: Made::Plainly,
+    },
+    Rule {
+        name: "rel",
+        syntax: |all, left, right| {
+            let (result, argument) = all.forward(right).or_else(|| all.backward(right))?;
+            let clause = all.is(result, Atom::S) && all.is(argument, Atom::NP);
+            (clause && all.is(left, Atom::N)).then_some(left)
+        },
+        meaning: conjoin_properties,
+        functor: Side::Neither,
+        made: Made::Plainly,
+    },
+];
+
+/// The unary rules. The order is the order of ties.
+pub const SHIFTS: &[Shift] = &[Shift {
+    name: "PP=>N\\N",
+    from: Atom::PP,
+    to: (Atom::N, Direction::Left, Atom::N),
+    meaning: modifier,
+}];
+
+/// `λy. g(y)(x)` for `x g`: `x` raised to `λf. f(x)` and composed with `g`.
+fn raised_composition(terms: &mut Terms, x: TermId, g: TermId) -> Result<TermId, LogicError> {
+    let function = terms.ty(g);
+    let crate::logic::Type::Function(argument, _) = terms.types.get(function) else {
+        return Err(LogicError::NotAFunction);
+    };
+    // Both are closed in a chart, so that nothing needs shifting below the new binder.
+    let y = terms.variable(0, argument)?;
+    let applied = terms.apply(g, y)?;
+    let both = terms.apply(applied, x)?;
+    terms.lambda(argument, both)
+}
+
+/// `λx. f(x) ∧ g(x)`
+fn conjoin_properties(terms: &mut Terms, f: TermId, g: TermId) -> Result<TermId, LogicError> {
+    let x = terms.variable(0, ty::ENTITY)?;
+    let both = [terms.apply(f, x)?, terms.apply(g, x)?];
+    let body = terms.conjoin(&both)?;
+    terms.lambda(ty::ENTITY, body)
+}
+
+/// `λf. λx. f(x) ∧ p(x)`
+fn modifier(terms: &mut Terms, p: TermId) -> Result<TermId, LogicError> {
+    let property = terms.types.function(ty::ENTITY, ty::TRUTH);
+    let (x, f) = (terms.variable(0, ty::ENTITY)?, terms.variable(1, property)?);
+    let both = [terms.apply(f, x)?, terms.apply(p, x)?];
+    let body = terms.conjoin(&both)?;
+    let inner = terms.lambda(ty::ENTITY, body)?;
+    terms.lambda(property, inner)
+}
+
+/// How many rows a pair of syntactic categories can match.
+type Rows = Vec<(RuleId, SyntaxId)>;
+
+/// The arena, the syntactic categories and the rules' cache: what it takes to combine categories.
+#[derive(Clone, Debug, Default)]
+pub struct Grammar {
+    /// The meanings.
+    pub terms: Terms,
+    /// The syntactic categories.
+    pub syntaxes: Syntaxes,
+    /// Binary relations whose arguments may change places, such as `near`: two readings that differ in nothing
+    /// else are one answer.
+    pub commutative: Vec<ConstantId>,
+    rows: FxHashMap<(SyntaxId, SyntaxId), Rows>,
+}
+
+impl Grammar {
+    /// The rows that combine two syntactic categories, and what comes out: one look-up after the first time.
+    pub fn rows(&mut self, left: SyntaxId, right: SyntaxId) -> &[(RuleId, SyntaxId)] {
+        let Grammar { syntaxes, rows, .. } = self;
+        rows.entry((left, right)).or_insert_with(|| {
+            let made = |(row, rule): (u8, &Rule)| {
+                Some((RuleId(row), (rule.syntax)(syntaxes, left, right)?))
+            };
+            (0..).zip(RULES).filter_map(made).collect()
+        })
+    }
+
+    /// The meaning that a row gives two neighbours; `None` when the meanings do not fit, the result would be too
+    /// large, or the functor adds nothing to its argument (`green green room`).
+    pub fn combine(&mut self, rule: RuleId, left: TermId, right: TermId) -> Option<TermId> {
+        let rule = RULES.get(usize::from(rule.0))?;
+        let meaning = (rule.meaning)(&mut self.terms, left, right).ok()?;
+        let (functor, argument) = match rule.functor {
+            Side::Left => (left, right),
+            Side::Right => (right, left),
+            Side::Neither => return Some(meaning),
+        };
+        let vacuous = meaning == argument && !self.is_identity(functor);
+        (!vacuous).then_some(meaning)
+    }
+
+    /// The category that a shift makes of another, with the row.
+    pub fn shifts(&mut self, category: Category) -> Vec<(RuleId, Category)> {
+        let mut shifted = Vec::new();
+        for (row, shift) in (RULES.len() as u8..).zip(SHIFTS) {
+            if !self.syntaxes.is(category.syntax, shift.from) {
+                continue;
+            }
+            let Ok(meaning) = (shift.meaning)(&mut self.terms, category.meaning) else { continue };
+            let (result, direction, argument) = shift.to;
+            let (result, argument) = (self.syntaxes.atom(result), self.syntaxes.atom(argument));
+            let syntax = self.syntaxes.slash(result, direction, argument);
+            shifted.push((RuleId(row), Category { syntax, meaning }));
+        }
+        shifted
+    }
+
+    /// `λx. x`, at any type.
+    fn is_identity(&mut self, term: TermId) -> bool {
+        let crate::logic::Node::Lambda { parameter, .. } = self.terms.node(term) else {
+            return false;
+        };
+        let x = self.terms.variable(0, parameter);
+        x.and_then(|x| self.terms.lambda(parameter, x)) == Ok(term)
+    }
+}
+
+impl RuleId {
+    /// The rule's name.
+    pub fn name(self) -> &'static str {
+        let row = usize::from(self.0);
+        match RULES.get(row) {
+            Some(rule) => rule.name,
+            None => SHIFTS.get(row - RULES.len()).map_or("", |shift| shift.name),
+        }
+    }
+
+    /// The rule of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        let names = RULES.iter().map(|rule| rule.name).chain(SHIFTS.iter().map(|shift| shift.name));
+        (0..).zip(names).find(|(_, known)| *known == name).map(|(row, _)| RuleId(row))
+    }
+
+    /// How what the rule makes is marked for the normal form.
+    pub fn makes(self) -> Made {
+        RULES.get(usize::from(self.0)).map_or(Made::ByShift, |rule| rule.made)
+    }
+
+    /// Whether the normal form admits the rule on constituents made so (Eisner 1996).
+    pub fn admits(self, left: Made, right: Made) -> bool {
+        match RULES.get(usize::from(self.0)).map(|rule| rule.functor) {
+            Some(Side::Left) => left != Made::ByForwardComposition,
+            Some(Side::Right) => right != Made::ByBackwardComposition,
+            _ => true,
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Derivations: how a reading was put together, rebuilt from a chart, with the features that scored it and a
+//! drawing as the field prints them.
+
+use super::category::Category;
+use super::chart::{Chart, Step};
+use super::combinator::RuleId;
+use super::features::{Feature, Vector, root_features};
+use super::lexicon::EntryId;
+use super::model::Model;
+use crate::logic::{TermId, print_human};
+
+/// A proof tree.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Derivation {
+    /// Words with their category.
+    Leaf {
+        /// The first word.
+        start: usize,
+        /// One past the last word.
+        end: usize,
+        /// How many of them are skipped.
+        skipped: usize,
+        /// The entry.
+        entry: EntryId,
+        /// Its category.
+        category: Category,
+    },
+    /// One or two constituents put together.
+    Node {
+        /// The rule.
+        rule: RuleId,
+        /// One child of a shift, two of a binary rule.
+        children: Vec<Derivation>,
+        /// What came out.
+        category: Category,
+    },
+}
+
+impl Derivation {
+    /// The best derivation of an edge. `entry_of` names the entry of a lexical item.
+    pub fn of(chart: &Chart, edge: u32, entry_of: &impl Fn(u32) -> EntryId) -> Derivation {
+        let found = chart.edge(edge);
+        let category = found.category;
+        let node = |rule, children| Derivation::Node { rule, children, category };
+        match found.step {
+            Step::Lexical(index) => {
+                let item = &chart.lexical[index as usize];
+                Derivation::Leaf {
+                    start: item.start,
+                    end: item.end,
+                    skipped: item.skipped,
+                    entry: entry_of(item.item),
+                    category,
+                }
+            }
+            Step::Binary { rule, left, right } => {
+                node(rule, vec![Self::of(chart, left, entry_of), Self::of(chart, right, entry_of)])
+            }
+            Step::Shift { rule, child } => node(rule, vec![Self::of(chart, child, entry_of)]),
+        }
+    }
+
+    /// The words it spans: the first and one past the last.
+    pub fn span(&self) -> (usize, usize) {
+        match self {
+            Derivation::Leaf { start, end, .. } => (*start, *end),
+            Derivation::Node { children, .. } => {
+                let first = children.first().map_or(0, |child| child.span().0);
+                (first, children.last().map_or(0, |child| child.span().1))
+            }
+        }
+    }
+
+    /// What it makes.
+    pub fn category(&self) -> Category {
+        match self {
+            Derivation::Leaf { category, .. } | Derivation::Node { category, .. } => *category,
+        }
+    }
+
+    /// Its leaves from left to right.
+    pub fn leaves(&self) -> Vec<&Derivation> {
+        match self {
+            Derivation::Leaf { .. } => vec![self],
+            Derivation::Node { children, .. } => children.iter().flat_map(Self::leaves).collect(),
+        }
+    }
+
+    /// φ of the reading that the derivation ends in.
+    pub fn features(&self, model: &mut Model, form: TermId) -> Vector {
+        let mut vector = Vector::new();
+        self.count_into(model, &mut vector);
+        for feature in root_features(&model.grammar.terms, form) {
+            model.features.count(&mut vector, feature);
+        }
+        vector
+    }
+
+    fn count_into(&self, model: &mut Model, vector: &mut Vector) {
+        match self {
+            Derivation::Leaf { entry, skipped, .. } => {
+                let parts = model.lexicon.entry(*entry);
+                model.features.count(vector, Feature::Lexeme(parts.lexeme));
+                model.features.count(vector, Feature::Template(parts.template));
+                model.features.count(vector, Feature::Entry(*entry));
+                (0..*skipped).for_each(|_| model.features.count(vector, Feature::Skip));
+            }
+            Derivation::Node { rule, children, .. } => {
+                children.iter().for_each(|child| child.count_into(model, vector));
+                model.features.count(vector, Feature::Rule(*rule));
+            }
+        }
+    }
+
+    /// The proof as the field draws it: words, categories below them, a ruled line for each step; then what each
+    /// leaf means.
+    pub fn print(&self, model: &Model, words: &[String]) -> String {
+        let syntaxes = &model.grammar.syntaxes;
+        let (first, last) = self.span();
+        let mut starts = vec![0; last + 1];
+        for leaf in self.leaves() {
+            let (start, end) = leaf.span();
+            let text = words[start..end].join(" ").chars().count();
+            let width = text.max(syntaxes.text(leaf.category().syntax).chars().count()) + 2;
+            (start + 1..=end).for_each(|at| starts[at] = starts[start] + width);
+        }
+        let columns = |(start, end): (usize, usize)| {
+            (starts[start] - starts[first], starts[end] - starts[first] - 2)
+        };
+        let mut rows: Vec<String> = Vec::new();
+        self.draw(&columns, words, model, &mut rows);
+        for leaf in self.leaves() {
+            let (start, end) = leaf.span();
+            let meaning = print_human(&model.grammar.terms, leaf.category().meaning);
+            rows.push(format!("{} := {meaning}", words[start..end].join(" ")));
+        }
+        rows.join("\n")
+    }
+
+    /// Draws the subtree; returns the first free row below it.
+    fn draw(
+        &self,
+        columns: &impl Fn((usize, usize)) -> (usize, usize),
+        words: &[String],
+        model: &Model,
+        rows: &mut Vec<String>,
+    ) -> usize {
+        let (start, end) = self.span();
+        let (left, right) = columns((start, end));
+        let syntax = model.grammar.syntaxes.text(self.category().syntax);
+        match self {
+            Derivation::Leaf { .. } => {
+                place(rows, 0, left, right, &words[start..end].join(" "));
+                place(rows, 1, left, right, syntax);
+                2
+            }
+            Derivation::Node { rule, children, .. } => {
+                let below = children.iter().map(|child| child.draw(columns, words, model, rows));
+                let row = below.max().unwrap_or(0);
+                let name = rule.name();
+                let dashes = (right - left).saturating_sub(name.chars().count());
+                place(rows, row, left, right, &format!("{}{name}", "-".repeat(dashes)));
+                place(rows, row + 1, left, right, syntax);
+                row + 2
+            }
+        }
+    }
+}
+
+/// Writes `text` centred between two columns of a row.
+fn place(rows: &mut Vec<String>, row: usize, left: usize, right: usize, text: &str) {
+    if rows.len() <= row {
+        rows.resize(row + 1, String::new());
+    }
+    let room = (right - left).saturating_sub(text.chars().count());
+    let line = &mut rows[row];
+    let have = line.chars().count();
+    line.push_str(&" ".repeat((left + room / 2).saturating_sub(have)));
+    line.push_str(text);
+}

@@ -1,0 +1,137 @@
+//! Features and their weights. A key is interned to a dense index; weights lie in one array beside the keys.
+//! Scales are the reference's (Williams et al.; METHOD in the guide): they say how much one occurrence counts.
+
+use super::combinator::RuleId;
+use super::lexicon::{EntryId, LexemeId, TemplateId};
+use crate::logic::{ConstantId, Node, TermId, Terms};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
+
+/// What a parse can be scored by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Feature {
+    /// A lexeme is used.
+    Lexeme(LexemeId),
+    /// A template is used.
+    Template(TemplateId),
+    /// A lexeme is used in this template.
+    Entry(EntryId),
+    /// A rule is used.
+    Rule(RuleId),
+    /// A word is skipped.
+    Skip,
+    /// Two different predicates occur anywhere in the goal (Williams et al., Section IV-B-1: it tells `in` from
+    /// `near` when the words do not). The first name is the smaller.
+    Pair(ConstantId, ConstantId),
+}
+
+impl Feature {
+    /// How much one occurrence counts.
+    pub fn scale(self) -> f64 {
+        match self {
+            Feature::Template(_) => 0.1,
+            Feature::Rule(_) => 0.5,
+            Feature::Lexeme(_) | Feature::Entry(_) | Feature::Skip | Feature::Pair(..) => 1.0,
+        }
+    }
+}
+
+/// An interned feature.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FeatureId(u32);
+
+/// Counts by feature, scaled. A BTree, so that sums run in one order.
+pub type Vector = BTreeMap<FeatureId, f64>;
+
+/// Interned features with their weights θ, in the order they were first seen.
+#[derive(Clone, Debug, Default)]
+pub struct Features {
+    index: FxHashMap<Feature, FeatureId>,
+    keys: Vec<Feature>,
+    weights: Vec<f64>,
+}
+
+impl Features {
+    /// The id of a feature; a new one has weight 0.
+    pub fn intern(&mut self, feature: Feature) -> FeatureId {
+        let next = FeatureId(self.keys.len() as u32);
+        *self.index.entry(feature).or_insert_with(|| {
+            self.keys.push(feature);
+            self.weights.push(0.0);
+            next
+        })
+    }
+
+    /// What one occurrence of the feature adds to a score: its weight times its scale.
+    pub fn value(&self, feature: Feature) -> f64 {
+        self.index.get(&feature).map_or(0.0, |&id| self.weights[id.0 as usize] * feature.scale())
+    }
+
+    /// The weight of an interned feature.
+    pub fn weight(&self, id: FeatureId) -> f64 {
+        self.weights[id.0 as usize]
+    }
+
+    /// The feature behind an id.
+    pub fn key(&self, id: FeatureId) -> Feature {
+        self.keys[id.0 as usize]
+    }
+
+    /// Sets a weight.
+    pub fn set(&mut self, feature: Feature, weight: f64) {
+        let id = self.intern(feature);
+        self.weights[id.0 as usize] = weight;
+    }
+
+    /// θ += `by` · φ
+    pub fn add(&mut self, vector: &Vector, by: f64) {
+        for (&id, &value) in vector {
+            self.weights[id.0 as usize] += by * value;
+        }
+    }
+
+    /// θ · φ, summed in the features' order.
+    pub fn dot(&self, vector: &Vector) -> f64 {
+        vector.iter().fold(0.0, |sum, (id, value)| sum + self.weights[id.0 as usize] * value)
+    }
+
+    /// Counts one occurrence.
+    pub fn count(&mut self, vector: &mut Vector, feature: Feature) {
+        *vector.entry(self.intern(feature)).or_insert(0.0) += feature.scale();
+    }
+
+    /// The features with a weight other than 0, in order.
+    pub fn nonzero(&self) -> impl Iterator<Item = (Feature, f64)> {
+        let pairs = self.keys.iter().copied().zip(self.weights.iter().copied());
+        pairs.filter(|&(_, weight)| weight != 0.0)
+    }
+}
+
+/// The features of a goal as a whole.
+pub fn root_features(terms: &Terms, form: TermId) -> Vec<Feature> {
+    let mut predicates = Vec::new();
+    predicates_of(terms, form, &mut predicates);
+    predicates.sort_by(|&a, &b| terms.name(a).cmp(terms.name(b)));
+    predicates.dedup();
+    let mut pairs = Vec::with_capacity(predicates.len() * predicates.len() / 2);
+    for (place, &first) in predicates.iter().enumerate() {
+        pairs.extend(predicates[place + 1..].iter().map(|&second| Feature::Pair(first, second)));
+    }
+    pairs
+}
+
+/// Every constant that is applied to entities; connectives, quantifiers and determiners are none.
+fn predicates_of(terms: &Terms, term: TermId, found: &mut Vec<ConstantId>) {
+    match terms.node(term) {
+        Node::Constant(_) | Node::Variable(_) => {}
+        Node::Lambda { body, .. } => predicates_of(terms, body, found),
+        Node::Apply { head, args } => {
+            if let Node::Constant(constant) = terms.node(head)
+                && args.iter().all(|&arg| terms.ty(arg) == crate::logic::ty::ENTITY)
+            {
+                found.push(constant);
+            }
+            args.iter().for_each(|&arg| predicates_of(terms, arg, found));
+        }
+    }
+}

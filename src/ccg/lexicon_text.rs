@@ -1,0 +1,115 @@
+//! The text form of a seed lexicon, which a person can read and change. A line is `words :- SYNTAX : meaning`;
+//! `*` in place of words gives a template alone, whose holes are constants with a name that begins with `?`;
+//! `frame` and `commutative` lines name constants; `#` begins a comment.
+
+use super::category::Category;
+use super::features::Feature;
+use super::lexicon::Origin;
+use super::model::Model;
+use super::sentence::words;
+use crate::logic::{ConstantId, Node, TermId, Terms, read};
+
+/// What is wrong with a lexicon's text.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}: {reason}")]
+pub struct LexiconError {
+    /// The line, from 1.
+    pub line: usize,
+    /// What is wrong there.
+    pub reason: String,
+}
+
+/// Reads a seed lexicon into a model, with the reference's seed weights: a lexeme 10, an entry
+/// 10 · words^1.1, a skipped word −1.
+///
+/// # Errors
+/// With the line and what is wrong there.
+pub fn read_lexicon(model: &mut Model, text: &str) -> Result<(), LexiconError> {
+    for (line, content) in (1..).zip(text.lines()) {
+        let content = content.split('#').next().unwrap_or("").trim();
+        if !content.is_empty() {
+            read_line(model, content).map_err(|reason| LexiconError { line, reason })?;
+        }
+    }
+    model.features.set(Feature::Skip, -1.0);
+    Ok(())
+}
+
+fn read_line(model: &mut Model, line: &str) -> Result<(), String> {
+    if let Some(constant) = line.strip_prefix("frame ") {
+        let constant = known_constant(model, constant.trim())?;
+        model.lexicon.frame.push(constant);
+        return Ok(());
+    }
+    if let Some(constant) = line.strip_prefix("commutative ") {
+        let constant = known_constant(model, constant.trim())?;
+        model.grammar.commutative.push(constant);
+        return Ok(());
+    }
+    let (phrase, category) =
+        line.split_once(":-").ok_or("a line is words :- CATEGORY : meaning")?;
+    let (syntax, meaning) =
+        category.split_once(" : ").ok_or("between category and meaning stands a colon")?;
+    let syntax_id = model.grammar.syntaxes.read(syntax.trim());
+    let syntax = syntax_id.ok_or(format!("{:?} is no syntactic category", syntax.trim()))?;
+    let meaning = read(&mut model.grammar.terms, meaning.trim()).map_err(|e| e.to_string())?;
+    check_constants(model, meaning)?;
+    let category = Category { syntax, meaning };
+    if phrase.trim() == "*" {
+        let factored =
+            super::factor::factor(&mut model.grammar.terms, meaning, &model.lexicon.frame)
+                .map_err(|e| e.to_string())?;
+        model.lexicon.add_template(syntax, factored.template, factored.constants.len());
+        return Ok(());
+    }
+    let words: Box<[Box<str>]> = words(phrase).into_iter().map(Box::from).collect();
+    if words.is_empty() {
+        return Err("there are no words before :-".to_owned());
+    }
+    let n_words = words.len() as f64;
+    let entry = model
+        .lexicon
+        .add_category(&mut model.grammar, words, category, Origin::Seed)
+        .map_err(|e| e.to_string())?;
+    model.features.set(Feature::Lexeme(model.lexicon.entry(entry).lexeme), 10.0);
+    model.features.set(Feature::Entry(entry), 10.0 * libm::pow(n_words, 1.1));
+    Ok(())
+}
+
+/// Every constant must be in the signature with its type, or be a hole.
+fn check_constants(model: &mut Model, meaning: TermId) -> Result<(), String> {
+    let mut constants = Vec::new();
+    collect(&model.grammar.terms, meaning, &mut constants);
+    for constant in constants {
+        let terms = &mut model.grammar.terms;
+        let (name, ty) = (terms.name(constant).to_owned(), terms.constant_ty(constant));
+        if !name.starts_with('?') && model.signature.ty(&mut terms.types, &name) != Some(ty) {
+            let ty = terms.types.print(ty);
+            return Err(format!("{name}:{ty} is not in the signature"));
+        }
+    }
+    Ok(())
+}
+
+fn collect(terms: &Terms, term: TermId, found: &mut Vec<ConstantId>) {
+    match terms.node(term) {
+        Node::Constant(constant) => found.push(constant),
+        Node::Variable(_) => {}
+        Node::Lambda { body, .. } => collect(terms, body, found),
+        Node::Apply { head, args } => {
+            collect(terms, head, found);
+            args.iter().for_each(|&arg| collect(terms, arg, found));
+        }
+    }
+}
+
+fn known_constant(model: &mut Model, text: &str) -> Result<ConstantId, String> {
+    let unknown = || format!("{text} is not in the signature");
+    let (name, ty) = text.split_once(':').ok_or_else(unknown)?;
+    let terms = &mut model.grammar.terms;
+    let ty = terms.types.read(ty).ok_or_else(unknown)?;
+    if model.signature.ty(&mut terms.types, name) != Some(ty) {
+        return Err(unknown());
+    }
+    Ok(terms.constant(name, ty))
+}

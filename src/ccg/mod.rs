@@ -1,0 +1,26 @@
+//! Weighted combinatory categorial grammar (Steedman 2000; Clark and Curran 2007) with a factored lexicon
+//! (Kwiatkowski et al. 2011). Knows no world: constants are names with types.
+
+pub mod syntax;
+pub mod category;
+pub mod combinator;
+pub mod sentence;
+pub mod lexicon;
+pub mod factor;
+pub mod lexicon_text;
+pub mod features;
+pub mod model;
+pub mod chart;
+pub mod parse;
+pub mod derivation;
+
+pub use category::Category;
+pub use chart::{Chart, ChartConfig, Lexical};
+pub use combinator::{Grammar, RULES, RuleId, SHIFTS};
+pub use derivation::Derivation;
+pub use features::{Feature, FeatureId, Features, Vector};
+pub use lexicon::{EntryId, LexemeId, Lexicon, Origin, TemplateId};
+pub use model::Model;
+pub use parse::{Parse, Reading, Reason, parse};
+pub use sentence::{MAX_WORDS, words};
+pub use syntax::{Atom, Direction, Syntax, SyntaxId, Syntaxes};

@@ -1,0 +1,253 @@
+//! Parsing a command with a model: its distinct readings, ranked; when there is no full parse, the parse that
+//! skips words; when there is no single answer, why.
+
+use super::chart::{Chart, ChartConfig, Lexical};
+use super::derivation::Derivation;
+use super::features::{Feature, root_features};
+use super::lexicon::EntryId;
+use super::model::Model;
+use super::sentence::{MAX_WORDS, words};
+use super::syntax::Atom;
+use crate::logic::{Node, TermId, Terms, print, ty};
+use rustc_hash::FxHashMap;
+
+/// Why a command has no single answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say it; see `Reason::name`")]
+pub enum Reason {
+    Empty,
+    TooLong,
+    UnknownWords,
+    NoParse,
+    Tie,
+    Budget,
+}
+
+impl Reason {
+    /// The name in the command line's contract.
+    pub fn name(self) -> &'static str {
+        match self {
+            Reason::Empty => "empty",
+            Reason::TooLong => "too_long",
+            Reason::UnknownWords => "unknown_words",
+            Reason::NoParse => "no_parse",
+            Reason::Tie => "tie",
+            Reason::Budget => "budget",
+        }
+    }
+}
+
+/// One of the distinct goals that a command may mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// The goal.
+    pub form: TermId,
+    /// Its score, root features included.
+    pub score: f64,
+    /// The edge of its best derivation.
+    pub edge: u32,
+}
+
+/// Everything that came of a command.
+#[derive(Clone, Debug)]
+pub struct Parse {
+    /// The words.
+    pub words: Vec<String>,
+    /// The distinct readings, best first; ties stand in the order of their printed forms.
+    pub readings: Vec<Reading>,
+    /// Words that the best reading skips: not empty exactly when the skipping parse answered.
+    pub skipped: Vec<String>,
+    /// Why there is no single answer.
+    pub reason: Option<Reason>,
+    /// Derivations tried, in both passes.
+    pub tried: usize,
+    chart: Chart,
+}
+
+impl Parse {
+    /// The number of readings that share the best score.
+    pub fn tied(&self) -> usize {
+        let best = self.readings.first().map(|reading| rank(reading.score));
+        self.readings.iter().take_while(|reading| Some(rank(reading.score)) == best).count()
+    }
+
+    /// The one best reading, if there is just one.
+    pub fn answer(&self) -> Option<Reading> {
+        if self.tied() == 1 { self.readings.first().copied() } else { None }
+    }
+
+    /// The best derivation of a reading.
+    pub fn derivation(&self, reading: Reading) -> Derivation {
+        Derivation::of(&self.chart, reading.edge, &EntryId::from_item)
+    }
+}
+
+/// Parses a command: without skipping words, then, if there is no full parse, with.
+pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
+    let words = words(command);
+    let reason = match words.len() {
+        0 => Some(Reason::Empty),
+        n if n > MAX_WORDS => Some(Reason::TooLong),
+        _ => None,
+    };
+    if reason.is_some() {
+        let chart = Chart::fill(&mut model.grammar, 0, Vec::new(), |_| 0.0, config);
+        return Parse { words, readings: Vec::new(), skipped: Vec::new(), reason, tried: 0, chart };
+    }
+    let lexical = lexical_items(model, &words);
+    let first = fill(model, &words, lexical, config);
+    if !first.readings.is_empty() {
+        return first;
+    }
+    let lexical = with_skips(model, &words);
+    let mut second = fill(model, &words, lexical, config);
+    second.tried += first.tried;
+    if let Some(&best) = second.readings.first() {
+        second.skipped = skipped_words(model, &second.derivation(best), &words);
+    } else if first.chart.over_budget || second.chart.over_budget {
+        second.reason = Some(Reason::Budget);
+    } else if words.iter().any(|word| !model.lexicon.knows(word)) {
+        second.reason = Some(Reason::UnknownWords);
+    } else {
+        second.reason = Some(Reason::NoParse);
+    }
+    second
+}
+
+/// Parses words from given lexical items, whose `item` is an entry's number; no skipping.
+pub fn fill(
+    model: &mut Model,
+    words: &[String],
+    lexical: Vec<Lexical>,
+    config: ChartConfig,
+) -> Parse {
+    let features = &model.features;
+    let rule_score = |rule| features.value(Feature::Rule(rule));
+    let chart = Chart::fill(&mut model.grammar, words.len(), lexical, rule_score, config);
+    let readings = readings(model, &chart);
+    let tried = chart.tried;
+    let mut parse =
+        Parse { words: words.to_vec(), readings, skipped: Vec::new(), reason: None, tried, chart };
+    if parse.tied() > 1 {
+        parse.reason = Some(Reason::Tie);
+    }
+    parse
+}
+
+/// The lexicon's categories for every span of the words.
+pub fn lexical_items(model: &Model, words: &[String]) -> Vec<Lexical> {
+    let words: Vec<Box<str>> = words.iter().map(|word| Box::from(word.as_str())).collect();
+    let mut items = Vec::new();
+    for start in 0..words.len() {
+        let longest = (start + model.lexicon.longest()).min(words.len());
+        for end in start + 1..=longest {
+            for &entry in model.lexicon.entries_for(&words[start..end]) {
+                items.push(lexical_item(model, entry, start, end));
+            }
+        }
+    }
+    items
+}
+
+/// An entry over a span.
+pub fn lexical_item(model: &Model, entry: EntryId, start: usize, end: usize) -> Lexical {
+    let (category, score) = (model.lexicon.category(entry), model.entry_score(entry));
+    Lexical { start, end, skipped: 0, category, score, item: entry.item() }
+}
+
+/// The same, each also over the words to its right that it skips; what stands at the beginning is skipped by the
+/// item that follows, so that there is one way to skip a word.
+fn with_skips(model: &Model, words: &[String]) -> Vec<Lexical> {
+    let cost = model.features.value(Feature::Skip);
+    let mut items = Vec::new();
+    for item in lexical_items(model, words) {
+        for start in [item.start, 0] {
+            for end in item.end..=words.len() {
+                let skipped = (item.start - start) + (end - item.end);
+                let score = item.score + cost * skipped as f64;
+                items.push(Lexical { start, end, skipped, score, ..item });
+            }
+            if item.start == 0 {
+                break;
+            }
+        }
+    }
+    items
+}
+
+fn skipped_words(model: &Model, derivation: &Derivation, words: &[String]) -> Vec<String> {
+    let mut skipped = Vec::new();
+    for leaf in derivation.leaves() {
+        let Derivation::Leaf { start, end, entry, .. } = leaf else { continue };
+        let own = &model.lexicon.lexeme(model.lexicon.entry(*entry).lexeme).words;
+        let span = &words[*start..*end];
+        let is_own =
+            |window: &[String]| window.iter().map(String::as_str).eq(own.iter().map(|w| &**w));
+        let at = span.windows(own.len()).position(is_own).unwrap_or(0);
+        skipped.extend_from_slice(&span[..at]);
+        skipped.extend_from_slice(&span[at + own.len()..]);
+    }
+    skipped
+}
+
+/// The distinct goals among a chart's roots, ranked. Goals that differ in the order of the arguments of a
+/// commutative relation are one, printed as the better derivation has it.
+fn readings(model: &mut Model, chart: &Chart) -> Vec<Reading> {
+    let sentence = model.grammar.syntaxes.atom(Atom::S);
+    let mut best: FxHashMap<TermId, Reading> = FxHashMap::default();
+    for edge in chart.roots() {
+        let found = chart.edge(edge);
+        let form = found.category.meaning;
+        if found.category.syntax != sentence || model.grammar.terms.ty(form) != ty::TRUTH {
+            continue;
+        }
+        let root = root_features(&model.grammar.terms, form);
+        let score = root.iter().fold(found.score, |sum, &f| sum + model.features.value(f));
+        let reading = Reading { form, score, edge };
+        let key = commuted(&mut model.grammar.terms, &model.grammar.commutative, form);
+        let known = best.entry(key).or_insert(reading);
+        if precedes(&model.grammar.terms, &reading, known) {
+            *known = reading;
+        }
+    }
+    let mut readings: Vec<Reading> = best.into_values().collect();
+    let terms = &model.grammar.terms;
+    readings.sort_by(|a, b| {
+        rank(b.score)
+            .cmp(&rank(a.score))
+            .then_with(|| print(terms, a.form).cmp(&print(terms, b.form)))
+    });
+    readings
+}
+
+fn precedes(terms: &Terms, a: &Reading, b: &Reading) -> bool {
+    let (x, y) = (rank(a.score), rank(b.score));
+    x > y || (x == y && print(terms, a.form) < print(terms, b.form))
+}
+
+/// Scores that differ by less than a billionth are the same: sums run in the order of the derivation.
+fn rank(score: f64) -> i64 {
+    (score * 1e9).round() as i64
+}
+
+/// The form with the arguments of commutative relations in canonical order: what two equal readings share.
+fn commuted(terms: &mut Terms, commutative: &[crate::logic::ConstantId], term: TermId) -> TermId {
+    let result = match terms.node(term) {
+        Node::Constant(_) | Node::Variable(_) => return term,
+        Node::Lambda { parameter, body } => {
+            let body = commuted(terms, commutative, body);
+            terms.lambda(parameter, body)
+        }
+        Node::Apply { head, args } => {
+            let mut args = args.to_vec();
+            args.iter_mut().for_each(|arg| *arg = commuted(terms, commutative, *arg));
+            if let Node::Constant(constant) = terms.node(head)
+                && commutative.contains(&constant)
+            {
+                args.sort_by(|&a, &b| terms.compare(a, b));
+            }
+            terms.apply_head(head, &args)
+        }
+    };
+    result.unwrap_or(term)
+}

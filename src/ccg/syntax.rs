@@ -1,0 +1,189 @@
+//! Syntactic categories: atoms and slashes, interned, so that equal ids are equal categories. Text is
+//! left-associative: `S/PP/NP` is `(S/PP)/NP`, which looks for an NP to the right and then for a PP.
+
+use rustc_hash::FxHashMap;
+
+/// The id of an interned syntactic category.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SyntaxId(u32);
+
+/// The atoms: sentence, noun, noun phrase, prepositional phrase, adverbial phrase, predicative adjective.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "the names are the categories'")]
+pub enum Atom {
+    S,
+    N,
+    NP,
+    PP,
+    AP,
+    ADJ,
+}
+
+const ATOMS: [(Atom, &str); 6] = [
+    (Atom::S, "S"),
+    (Atom::N, "N"),
+    (Atom::NP, "NP"),
+    (Atom::PP, "PP"),
+    (Atom::AP, "AP"),
+    (Atom::ADJ, "ADJ"),
+];
+
+/// Where a functor looks for its argument: `/` to the right, `\` to the left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "said above")]
+pub enum Direction {
+    Right,
+    Left,
+}
+
+/// A syntactic category, one level deep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Syntax {
+    /// An atom.
+    Atom(Atom),
+    /// `result/argument` or `result\argument`.
+    Slash {
+        /// What comes out.
+        result: SyntaxId,
+        /// Where the argument stands.
+        direction: Direction,
+        /// What is looked for.
+        argument: SyntaxId,
+    },
+}
+
+/// Slashes that a category's text may have.
+const MAX_SLASHES: usize = 16;
+
+/// The interned categories. The atoms have the same ids in every instance.
+#[derive(Clone, Debug)]
+pub struct Syntaxes {
+    all: Vec<Syntax>,
+    texts: Vec<Box<str>>,
+    index: FxHashMap<Syntax, SyntaxId>,
+}
+
+impl Default for Syntaxes {
+    fn default() -> Self {
+        let mut syntaxes =
+            Syntaxes { all: Vec::new(), texts: Vec::new(), index: FxHashMap::default() };
+        for (atom, _) in ATOMS {
+            syntaxes.atom(atom);
+        }
+        syntaxes
+    }
+}
+
+impl Syntaxes {
+    /// The category behind an id.
+    pub fn get(&self, id: SyntaxId) -> Syntax {
+        self.all[id.0 as usize]
+    }
+
+    /// The text of a category, as [`Syntaxes::read`] reads it; also its rank where categories are ordered.
+    pub fn text(&self, id: SyntaxId) -> &str {
+        &self.texts[id.0 as usize]
+    }
+
+    /// The id of an atom.
+    pub fn atom(&mut self, atom: Atom) -> SyntaxId {
+        self.intern(Syntax::Atom(atom))
+    }
+
+    /// The id of `result/argument` or `result\argument`.
+    pub fn slash(
+        &mut self,
+        result: SyntaxId,
+        direction: Direction,
+        argument: SyntaxId,
+    ) -> SyntaxId {
+        self.intern(Syntax::Slash { result, direction, argument })
+    }
+
+    /// `result/argument`, if that is what the category is.
+    pub fn forward(&self, id: SyntaxId) -> Option<(SyntaxId, SyntaxId)> {
+        match self.get(id) {
+            Syntax::Slash { result, direction: Direction::Right, argument } => {
+                Some((result, argument))
+            }
+            _ => None,
+        }
+    }
+
+    /// `result\argument`, if that is what the category is.
+    pub fn backward(&self, id: SyntaxId) -> Option<(SyntaxId, SyntaxId)> {
+        match self.get(id) {
+            Syntax::Slash { result, direction: Direction::Left, argument } => {
+                Some((result, argument))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether the category is this atom.
+    pub fn is(&self, id: SyntaxId, atom: Atom) -> bool {
+        self.get(id) == Syntax::Atom(atom)
+    }
+
+    fn intern(&mut self, syntax: Syntax) -> SyntaxId {
+        if let Some(&known) = self.index.get(&syntax) {
+            return known;
+        }
+        let id = SyntaxId(self.all.len() as u32);
+        let text = self.print(syntax);
+        self.all.push(syntax);
+        self.texts.push(text.into());
+        self.index.insert(syntax, id);
+        id
+    }
+
+    fn print(&self, syntax: Syntax) -> String {
+        match syntax {
+            Syntax::Atom(atom) => {
+                ATOMS.iter().find(|(a, _)| *a == atom).map_or("", |(_, name)| name).to_owned()
+            }
+            Syntax::Slash { result, direction, argument } => {
+                let slash = if direction == Direction::Right { '/' } else { '\\' };
+                let (result, right) = (self.text(result), self.text(argument));
+                match self.get(argument) {
+                    Syntax::Atom(_) => format!("{result}{slash}{right}"),
+                    Syntax::Slash { .. } => format!("{result}{slash}({right})"),
+                }
+            }
+        }
+    }
+
+    /// Reads a category such as `S\NP/(N/N)`; `None` when the text is not one or is too long.
+    pub fn read(&mut self, text: &str) -> Option<SyntaxId> {
+        if text.matches(['/', '\\', '(']).count() > MAX_SLASHES {
+            return None;
+        }
+        let (id, rest) = self.read_prefix(text.trim())?;
+        rest.is_empty().then_some(id)
+    }
+
+    fn read_prefix<'a>(&mut self, text: &'a str) -> Option<(SyntaxId, &'a str)> {
+        let (mut id, mut rest) = self.read_operand(text)?;
+        loop {
+            let direction = match rest.chars().next() {
+                Some('/') => Direction::Right,
+                Some('\\') => Direction::Left,
+                _ => return Some((id, rest)),
+            };
+            let (argument, after) = self.read_operand(&rest[1..])?;
+            id = self.slash(id, direction, argument);
+            rest = after;
+        }
+    }
+
+    fn read_operand<'a>(&mut self, text: &'a str) -> Option<(SyntaxId, &'a str)> {
+        if let Some(inner) = text.strip_prefix('(') {
+            let (id, rest) = self.read_prefix(inner)?;
+            return Some((id, rest.strip_prefix(')')?));
+        }
+        let end = text.find(|c: char| !c.is_ascii_uppercase()).unwrap_or(text.len());
+        let (name, rest) = text.split_at(end);
+        let (atom, _) = ATOMS.iter().find(|(_, known)| *known == name)?;
+        Some((self.atom(*atom), rest))
+    }
+}
