@@ -1,0 +1,121 @@
+# Groundling's commands; `make help` lists them. Each installs what it lacks: our own tools under
+# target/tools, browsers by the system's package manager. Long output goes to target/logs.
+
+SHELL := bash
+.SHELLFLAGS := -euo pipefail -c
+.ONESHELL:
+.SILENT:
+.DEFAULT_GOAL := help
+.PHONY: help serve test test-long fmt lint bench build shots check-corpora update-goldens \
+	rust-parts wasm-target chromium packages command-line
+
+# Where our own tools live; another folder can be given to share them between work trees.
+TOOLS ?= target/tools
+override TOOLS := $(abspath $(TOOLS))
+SITE := $(abspath target/site)
+PORT ?= 8080
+
+# wasm-bindgen's command line must equal the crate's version exactly.
+BINDGEN := $(shell awk -F '"' '/^name = "wasm-bindgen"$$/ { getline; print $$2 }' Cargo.lock)
+TRUNK := 0.21.14
+
+export TOOLS SITE
+export PATH := $(TOOLS)/bin:$(TOOLS)/node/node_modules/.bin:$(PATH)
+export CHROMEDRIVER ?= $(shell command -v chromedriver || echo /usr/bin/chromedriver)
+
+# $(call run,LOG,WHAT,COMMAND): says in one line what is done; shows the log only when it fails.
+define run
+mkdir -p target/logs "$(TOOLS)"
+echo "$(2)"
+if ! ($(3)) >target/logs/$(1).log 2>&1 </dev/null; then
+	tail -n 60 target/logs/$(1).log
+	echo "That failed: $(2) (all of it: target/logs/$(1).log)" >&2
+	exit 1
+fi
+endef
+
+help: ## list the commands
+	awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-15s %s\n", $$1, $$2 }' Makefile
+
+serve: build ## install what is missing, build the site and serve it on this machine (PORT=8080)
+	exec node tests/e2e/server.mjs "$(SITE)" "$(PORT)"
+
+test: rust-parts wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages chromium ## install what is missing and run every check
+	exec bash tests/checks.sh
+
+test-long: rust-parts ## the native tests again, in release and with many more random cases
+	PROPTEST_CASES=10000 cargo test --release --no-fail-fast --lib --bins --test suite
+
+fmt: rust-parts ## format the code
+	cargo fmt
+
+lint: rust-parts wasm-target ## formatting and clippy, natively and for wasm32, warnings as errors
+	cargo fmt --check
+	cargo clippy --all-targets -- -D warnings
+	cargo clippy --target wasm32-unknown-unknown --all-targets -- -D warnings
+
+bench: ## CPU time of the engine's parts, beside the reference system's
+	cargo bench
+
+build: wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages ## build the release site into target/site
+	$(call run,build,Building the release site (the first time takes some minutes),\
+		env -u NO_COLOR trunk build --release --dist "$(SITE)" && test -s "$(SITE)/index.html")
+
+shots: build command-line chromium ## take the pictures of the README anew, from the real page
+	node tests/e2e/run.mjs --folder shots
+
+check-corpora: build command-line chromium ## train the page on a corpus kept elsewhere: DIR=folder
+	test -n "$(DIR)" || { echo "say where the corpora are: make check-corpora DIR=folder" >&2; exit 2; }
+	test -f "$(DIR)/amt-six-train.csv" || { echo "$(DIR) has no amt-six-train.csv" >&2; exit 2; }
+	CORPORA="$(abspath $(DIR))" node tests/e2e/run.mjs --folder corpora
+
+update-goldens: build command-line chromium ## take the golden pictures of the end-to-end flows anew
+	UPDATE=1 node tests/e2e/run.mjs
+
+command-line:
+	$(call run,command-line,Building the command line,cargo build --bin groundling)
+
+# What is installed, and where it is looked for.
+
+rust-parts:
+	command -v cargo >/dev/null || { echo "Rust is missing: install it with rustup" >&2; exit 1; }
+	if ! { cargo fmt --version && cargo clippy --version; } >/dev/null 2>&1; then
+		$(call run,rust-parts,Installing rustfmt and clippy,rustup component add rustfmt clippy)
+	fi
+
+wasm-target:
+	if [ ! -d "$$(rustc --print target-libdir --target wasm32-unknown-unknown)" ]; then
+		$(call run,wasm-target,Installing Rust's wasm32 target,rustup target add wasm32-unknown-unknown)
+	fi
+
+# Its published lock names a crate version that is not there, hence no --locked.
+$(TOOLS)/bindgen-$(BINDGEN):
+	$(call run,bindgen,Installing wasm-bindgen $(BINDGEN) under target/tools (about four minutes),\
+		cargo install wasm-bindgen-cli --version $(BINDGEN) --root "$(TOOLS)")
+	touch "$@"
+
+# Trunk's own release profile takes most of an hour; this one makes the same sites.
+$(TOOLS)/trunk-$(TRUNK):
+	$(call run,trunk,Installing Trunk $(TRUNK) under target/tools (about four minutes),\
+		CARGO_PROFILE_RELEASE_LTO=off CARGO_PROFILE_RELEASE_CODEGEN_UNITS=16 \
+		CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_PROFILE_RELEASE_DEBUG=0 \
+		cargo install --locked trunk --version $(TRUNK) --no-default-features --features rustls \
+		--root "$(TOOLS)")
+	touch "$@"
+
+packages: $(TOOLS)/node/node_modules/.package-lock.json
+
+$(TOOLS)/node/node_modules/.package-lock.json: tests/e2e/package.json tests/e2e/package-lock.json
+	command -v npm >/dev/null || { echo "Node is missing: install Node 20 or newer, with npm" >&2; exit 1; }
+	$(call run,packages,Installing the packages of tests/e2e under target/tools (wasm-opt and the browser's driver),\
+		mkdir -p "$(TOOLS)/node" && cp $^ "$(TOOLS)/node/" && npm ci --prefix "$(TOOLS)/node" --ignore-scripts)
+	touch "$@"
+
+chromium:
+	if ! { command -v chromium && command -v chromedriver; } >/dev/null; then
+		if [ "$$(id -u)" -eq 0 ]; then as=""; \
+		elif command -v sudo >/dev/null; then as="sudo"; \
+		else echo "Chromium is missing: as root, apt-get install chromium chromium-driver" >&2; exit 1; fi
+		$(call run,chromium,Installing Chromium and its driver with apt-get,\
+			$$as apt-get update && $$as env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends chromium chromium-driver)
+	fi

@@ -1,0 +1,150 @@
+// What a flow is and what it is given: a page of its own, watched for anything that goes wrong, and the
+// few checks that flows share. A flow file calls `flow(title, body)` or `flow(title, settings, body)`.
+
+import { execFile } from 'node:child_process';
+import { readFile, mkdir } from 'node:fs/promises';
+import path from 'node:path';
+import { promisify } from 'node:util';
+import { matchGolden } from './golden.mjs';
+import { axeFile, root } from './packages.mjs';
+
+/** The flows declared so far. */
+export const flows = [];
+
+/** Declares a flow; `settings` are those of a browser context (viewport, reducedMotion …). */
+export function flow(title, settings, body) {
+  flows.push(body ? { title, settings, body } : { title, settings: {}, body: settings });
+}
+
+/** The folder of screenshots. */
+export const OUT = path.join(root, 'target/e2e');
+
+/** What a flow's body is given. */
+export class Flow {
+  /** `context` is a fresh browser context, `address` the site's. */
+  constructor(context, address) {
+    this.context = context;
+    this.address = address;
+    /** What went wrong in the page by itself. */
+    this.problems = [];
+    /** Problems that the flow provokes, as regular expressions. */
+    this.expected = [];
+  }
+
+  /** Opens a page at `address`, watched from its first moment. */
+  async open(address = this.address) {
+    const page = await this.context.newPage();
+    this.page ??= page;
+    const origin = new URL(address).origin;
+    const problem = (what) => this.problems.push(what);
+    page.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) problem(`console: ${message.text()}`);
+    });
+    page.on('pageerror', (error) => problem(`uncaught: ${error.stack ?? error}`));
+    page.on('crash', () => problem('the page crashed'));
+    page.on('requestfailed', (request) => {
+      problem(`request failed: ${request.url()}: ${request.failure()?.errorText}`);
+    });
+    page.on('response', (response) => {
+      if (response.status() >= 400) problem(`status ${response.status()}: ${response.url()}`);
+    });
+    page.on('request', (request) => {
+      const url = new URL(request.url());
+      const own = url.origin === origin || (url.protocol === 'blob:' && url.href.includes(origin));
+      if (!own && url.protocol !== 'data:') problem(`another host is asked: ${url}`);
+    });
+    await page.addInitScript(watch);
+    await page.goto(address);
+    return page;
+  }
+
+  /** Lets problems that match `pattern` pass: the flow provokes them. */
+  expect(pattern) {
+    this.expected.push(pattern);
+  }
+
+  /** The problems that nobody expected. */
+  unexpected() {
+    return this.problems.filter((problem) => !this.expected.some((pattern) => pattern.test(problem)));
+  }
+
+  /** Fails the flow unless `truth`. */
+  check(truth, what) {
+    if (!truth) throw new Error(what);
+  }
+
+  /** Fails the flow unless both print alike. */
+  equal(actual, wanted, what) {
+    const [a, b] = [actual, wanted].map((value) => JSON.stringify(value));
+    if (a !== b) throw new Error(`${what}: ${a}, wanted ${b}`);
+  }
+
+  /** Waits until `probe` returns something true and returns that; fails after `seconds`. */
+  async until(what, probe, seconds = 20) {
+    const end = Date.now() + seconds * 1000;
+    for (;;) {
+      const found = await probe();
+      if (found) return found;
+      if (Date.now() > end) throw new Error(`not within ${seconds} s: ${what}`);
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+  }
+
+  /** A screenshot of the whole page into target/e2e. */
+  async shot(name, settings = {}) {
+    await mkdir(OUT, { recursive: true });
+    return this.page.screenshot({ path: path.join(OUT, `${name}.png`), fullPage: true, ...settings });
+  }
+
+  /** Holds an element's picture against its golden. */
+  async golden(name, locator, tolerance) {
+    const wrong = await matchGolden(name, await locator.screenshot({ animations: 'disabled' }), tolerance);
+    this.check(!wrong, `picture ${name}: ${wrong}`);
+  }
+
+  /** Fails on any violation that axe finds in the view as it stands. */
+  async accessible(view) {
+    await this.page.evaluate(await readFile(axeFile, 'utf8'));
+    const violations = await this.page.evaluate(async () => {
+      const { violations } = await globalThis.axe.run(document, { resultTypes: ['violations'] });
+      return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map((n) => n.html).join(' | ')}`);
+    });
+    this.equal(violations, [], `axe on ${view}`);
+  }
+
+  /** Fails when the page is wider than its window. */
+  async fits(view) {
+    const [inner, wide] = await this.page.evaluate(() => [
+      document.documentElement.clientWidth,
+      document.documentElement.scrollWidth,
+    ]);
+    this.check(wide <= inner, `${view} is ${wide} pixels wide in a window of ${inner}`);
+  }
+
+  /** Runs the native command line; returns what it wrote and its exit status. */
+  async groundling(...args) {
+    const binary = path.join(process.env.CARGO_TARGET_DIR ?? path.join(root, 'target'), 'debug/groundling');
+    try {
+      const { stdout, stderr } = await promisify(execFile)(binary, args, { cwd: root, maxBuffer: 1 << 28 });
+      return { status: 0, stdout, stderr };
+    } catch (error) {
+      if (typeof error.code !== 'number') throw error;
+      return { status: error.code, stdout: error.stdout, stderr: error.stderr };
+    }
+  }
+}
+
+/** Runs in the page before any of its scripts: reports broken content policy, remembers the workers. */
+function watch() {
+  document.addEventListener('securitypolicyviolation', (event) => {
+    console.error(`content policy: ${event.effectiveDirective} ${event.blockedURI} ${event.sourceFile}:${event.lineNumber} ${event.sample}`);
+  });
+  const Original = globalThis.Worker;
+  globalThis.flowWorkers = [];
+  globalThis.Worker = class extends Original {
+    constructor(...args) {
+      super(...args);
+      globalThis.flowWorkers.push(this);
+    }
+  };
+}

@@ -1,0 +1,71 @@
+// Drives the built site in Chromium: `node run.mjs [--folder flows] [WORD…]` runs the flow files of a folder
+// one after another (those whose title or file holds a WORD), under a sub-path as any static host may
+// serve it. Ends with "N passed, N failed". Screenshots and diffs: target/e2e.
+
+import { readdir, readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { Flow, flows } from './flow.mjs';
+import { chromium, root } from './packages.mjs';
+import { serve } from './server.mjs';
+
+/** Longest time for one flow. */
+const SECONDS = 120;
+
+const words = process.argv.slice(2);
+const at = words.indexOf('--folder');
+const folder = at < 0 ? 'flows' : words.splice(at, 2)[1];
+const here = path.join(root, 'tests/e2e', folder);
+for (const name of (await readdir(here)).filter((name) => name.endsWith('.mjs')).sort()) {
+  const before = flows.length;
+  await import(pathToFileURL(path.join(here, name)));
+  for (const flow of flows.slice(before)) flow.file = name;
+}
+const chosen = flows.filter(({ title, file }) =>
+  words.length === 0 || words.some((word) => `${file} ${title}`.includes(word)));
+
+const options = JSON.parse(await readFile(path.join(root, 'tests/browser/webdriver.json'), 'utf8'));
+const { binary, args } = options['goog:chromeOptions'];
+const browser = await chromium.launch({ executablePath: binary, args, headless: true });
+const site = await serve(process.env.SITE ?? path.join(root, 'target/site'), { under: '/some/sub-path/' });
+
+/** Runs one flow; returns what went wrong, or null. */
+async function run({ title, settings, body }) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...settings });
+  context.setDefaultTimeout(20_000);
+  const flow = new Flow(context, site.address);
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`not done in ${SECONDS} s`)), SECONDS * 1000);
+  });
+  try {
+    await Promise.race([body(flow), late]);
+    const problems = flow.unexpected();
+    if (problems.length > 0) throw new Error(`the page had problems:\n${problems.join('\n')}`);
+    return null;
+  } catch (error) {
+    const name = title.replaceAll(/[^a-z0-9]+/gi, '-');
+    await flow.page?.screenshot({ path: path.join(root, `target/e2e/failed-${name}.png`) }).catch(() => {});
+    const problems = flow.unexpected().filter((problem) => !error.message.includes(problem));
+    return [error.stack ?? error, ...problems].join('\n');
+  } finally {
+    clearTimeout(timer);
+    await context.close();
+  }
+}
+
+let failed = chosen.length === 0 ? 1 : 0;
+for (const flow of chosen) {
+  const start = Date.now();
+  const wrong = await run(flow);
+  const seconds = ((Date.now() - start) / 1000).toFixed(1);
+  console.log(`${wrong ? 'FAILED' : 'ok    '} ${flow.file}: ${flow.title} (${seconds} s)`);
+  if (wrong) {
+    failed += 1;
+    console.log(`${wrong}`.replaceAll(/^/gm, '       '));
+  }
+}
+await browser.close();
+await site.close();
+console.log(`${Math.max(chosen.length - failed, 0)} passed, ${failed} failed`);
+process.exitCode = failed === 0 ? 0 : 1;

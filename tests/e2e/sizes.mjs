@@ -1,0 +1,52 @@
+// Sizes of the built site as it travels (brotli): `node sizes.mjs FOLDER` prints them and fails over the limits.
+// First view: the HTML, the styles, app and worker. The renderer, models and corpora come after it.
+
+import { readdir, readFile } from 'node:fs/promises';
+import path from 'node:path';
+import zlib from 'node:zlib';
+
+const KB = 1000;
+const LIMITS = [
+  { what: 'first view', most: 400 * KB, counts: (kind) => kind === 'first' },
+  { what: 'models', most: 150 * KB, counts: (kind) => kind === 'model' },
+  { what: 'everything the app can load', most: 1800 * KB, counts: (kind) => kind !== 'guide' },
+];
+
+/** When a file of the site is loaded. */
+function kindOf(name) {
+  if (/^(guide|docs)\//.test(name)) return 'guide';
+  if (/renderer|scene/.test(name)) return 'renderer';
+  if (/\.(model|groundling)$|(^|\/)model/.test(name)) return 'model';
+  if (/\.(csv|jsonl)$|(^|\/)(worlds|corpus)\//.test(name)) return 'data';
+  return /\.(html|css|js|wasm)$/.test(name) ? 'first' : 'later';
+}
+
+const folder = process.argv[2];
+const names = (await readdir(folder, { recursive: true, withFileTypes: true }))
+  .filter((entry) => entry.isFile())
+  .map((entry) => path.relative(folder, path.join(entry.parentPath, entry.name)))
+  .sort();
+const files = await Promise.all(names.map(async (name) => {
+  const bytes = await readFile(path.join(folder, name));
+  return { name, kind: kindOf(name), raw: bytes.length, brotli: zlib.brotliCompressSync(bytes).length };
+}));
+
+const kb = (bytes) => `${(bytes / KB).toFixed(1).padStart(8)} KB`;
+for (const { name, kind, raw, brotli } of files) {
+  console.log(`${kb(raw)} ${kb(brotli)} brotli  ${kind.padEnd(9)} ${name}`);
+}
+let failed = 0;
+for (const { what, most, counts } of LIMITS) {
+  const sum = files.filter((file) => counts(file.kind)).reduce((all, file) => all + file.brotli, 0);
+  if (sum > most) failed += 1;
+  console.log(`${kb(sum)} of ${kb(most)} brotli  ${what}${sum > most ? ': TOO MUCH' : ''}`);
+}
+// A site without an app is small and wrong.
+for (const part of [/app.*\.wasm$/, /worker.*\.wasm$/, /renderer.*\.wasm$/]) {
+  if (!names.some((name) => part.test(name))) {
+    failed += 1;
+    console.log(`missing: a file like ${part.source}`);
+  }
+}
+console.log(`${LIMITS.length + 3 - failed} passed, ${failed} failed`);
+process.exitCode = failed === 0 ? 0 : 1;
