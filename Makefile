@@ -20,6 +20,8 @@ BINDGEN := $(shell awk -F '"' '/^name = "wasm-bindgen"$$/ { getline; print $$2 }
 TRUNK := 0.21.14
 
 export TOOLS SITE
+# Trunk takes this variable's usual value for an error.
+unexport NO_COLOR
 export PATH := $(TOOLS)/bin:$(TOOLS)/node/node_modules/.bin:$(PATH)
 export CHROMEDRIVER ?= $(shell command -v chromedriver || echo /usr/bin/chromedriver)
 
@@ -59,7 +61,7 @@ bench: ## CPU time of the engine's parts, beside the reference system's
 
 build: wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages ## build the release site into target/site
 	$(call run,build,Building the release site (the first time takes some minutes),\
-		env -u NO_COLOR trunk build --release --dist "$(SITE)" && test -s "$(SITE)/index.html")
+		trunk build --release --dist "$(SITE)" && test -s "$(SITE)/index.html")
 
 shots: build command-line chromium ## take the pictures of the README anew, from the real page
 	node tests/e2e/run.mjs --folder shots

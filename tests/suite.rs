@@ -1,4 +1,5 @@
 //! The one native integration binary: a module a topic, in the reading order of `src/lib.rs`.
+#![cfg(not(target_arch = "wasm32"))]
 #![allow(
     clippy::unwrap_used,
     clippy::expect_used,
@@ -6,6 +7,8 @@
     reason = "a failing test panics"
 )]
 
+#[path = "suite/everywhere.rs"]
+mod everywhere;
 #[path = "suite/tidy.rs"]
 mod tidy;
 #[path = "suite/world.rs"]

@@ -1,0 +1,14 @@
+//! Tests in a dedicated worker of a headless browser, where the engine lives.
+#![cfg(target_arch = "wasm32")]
+#![allow(clippy::expect_used, reason = "a failing test panics")]
+
+mod same;
+
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_dedicated_worker);
+
+#[wasm_bindgen_test]
+fn results_are_those_of_every_machine() {
+    same::holds();
+}
