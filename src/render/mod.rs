@@ -11,6 +11,8 @@ pub mod walls;
 pub mod scene;
 pub mod motion;
 #[cfg(target_arch = "wasm32")]
+pub mod gpu;
+#[cfg(target_arch = "wasm32")]
 pub mod link;
 
 pub use floor::{Extent, Floor, Ground};

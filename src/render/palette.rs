@@ -77,7 +77,7 @@ impl Theme {
 
     /// The body of a wall.
     pub const fn wall(self) -> Rgba {
-        self.pick(0x4b5262, 0x8d97ab)
+        self.pick(0x4b5262, 0x6f7a90)
     }
 
     /// The floor of a doorway.

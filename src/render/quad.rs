@@ -13,26 +13,28 @@ pub enum Figure {
     Rect = 0,
     /// A rectangle's outline in `ink` around a tint in `fill`; `detail` = [corner radius, line width].
     Frame = 1,
-    /// Lines between the cells of the quad in `ink`, which starts on a cell's corner.
+    /// The lines between a room's inner cells, in `ink`; the quad reaches to the middle of the walls.
     Grid = 2,
+    /// A room's floor in `fill`, shaded along its walls with `ink`; `detail` = [half a wall, reach of the shade].
+    Floor = 3,
     /// A round badge with a padlock.
-    Padlock = 3,
+    Padlock = 4,
     /// A round badge with a question mark.
-    Question = 4,
+    Question = 5,
     /// The robot from above, looking north when not turned.
-    Robot = 5,
+    Robot = 6,
     /// A chair.
-    Chair = 6,
+    Chair = 7,
     /// A basket.
-    Basket = 7,
+    Basket = 8,
     /// A block.
-    Block = 8,
+    Block = 9,
     /// A bag.
-    Bag = 9,
+    Bag = 10,
     /// A backpack.
-    Backpack = 10,
+    Backpack = 11,
     /// A box.
-    Box = 11,
+    Box = 12,
 }
 
 impl From<Shape> for Figure {

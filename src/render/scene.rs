@@ -102,9 +102,13 @@ fn floor_quads(room: &Room, theme: Theme) -> impl Iterator<Item = Quad> {
     let Bounds { left, bottom, right, top } = room.bounds;
     let centre = [(left as f32 + right as f32) / 2.0, (bottom as f32 + top as f32) / 2.0];
     let half = [(right as f32 - left as f32) / 2.0, (top as f32 - bottom as f32) / 2.0];
-    let floor = Quad::rect(centre, half, 0.0, theme.floor(room.color));
-    let inner = [half[0] - 0.5, half[1] - 0.5];
-    let grid = Quad { half: inner, figure: Figure::Grid, ink: theme.grid(), ..floor };
+    let floor = Quad {
+        figure: Figure::Floor,
+        detail: [walls::THICK, 0.26],
+        ink: theme.shadow(),
+        ..Quad::rect(centre, half, 0.0, theme.floor(room.color))
+    };
+    let grid = Quad { figure: Figure::Grid, ink: theme.grid(), ..floor };
     [floor, grid].into_iter().filter(|quad| quad.half[0] > 0.0 && quad.half[1] > 0.0)
 }
 
@@ -117,9 +121,9 @@ fn highlight((x, y): (i32, i32), theme: Theme) -> Quad {
 /// An object and its shadow at a place.
 fn object_quads(object: &Object, [x, y]: [f32; 2], theme: Theme) -> [Quad; 2] {
     let half = match object.size {
-        Some(Size::Small) => 0.27,
-        Some(Size::Medium) | None => 0.36,
-        Some(Size::Large) => 0.45,
+        Some(Size::Small) => 0.29,
+        Some(Size::Medium) | None => 0.39,
+        Some(Size::Large) => 0.47,
     };
     let shadow = [x + 0.02, y - half * 0.86];
     let icon = Figure::from(object.shape);
@@ -132,9 +136,9 @@ fn object_quads(object: &Object, [x, y]: [f32; 2], theme: Theme) -> [Quad; 2] {
 /// The robot and its shadow.
 fn robot_quads(pose: &Pose, theme: Theme) -> [Quad; 2] {
     let [x, y] = pose.robot;
-    let robot = Quad::icon(Figure::Robot, pose.robot, 0.43, theme.robot(), theme.robot_face());
+    let robot = Quad::icon(Figure::Robot, pose.robot, 0.46, theme.robot(), theme.robot_face());
     [
-        Quad::soft([x + 0.03, y - 0.08], [0.34, 0.34], 0.34, 0.12, theme.shadow()),
+        Quad::soft([x + 0.03, y - 0.08], [0.36, 0.36], 0.36, 0.12, theme.shadow()),
         Quad { turn: pose.turn, ..robot },
     ]
 }

@@ -9,9 +9,9 @@ use super::quad::{Figure, Quad};
 use crate::domain::{Bounds, Door, Lock};
 
 /// Half a wall's thickness.
-const THICK: f32 = 0.24;
+pub(super) const THICK: f32 = 0.2;
 /// Half a door post's length across the wall, and half its width.
-const POST: [f32; 2] = [0.33, 0.085];
+const POST: [f32; 2] = [0.28, 0.08];
 
 /// A bar along a row or a column of cells.
 struct Run {
@@ -32,16 +32,10 @@ impl Run {
     }
 }
 
-/// The shadows of all walls and then the walls, so that no shadow lies upon a wall.
+/// The walls of all rooms.
 pub(super) fn walls(floor: &Floor, theme: Theme, out: &mut Vec<Quad>) {
-    let runs = runs(floor);
-    for run in &runs {
-        let [x, y] = run.centre();
-        out.push(Quad::soft([x + 0.03, y - 0.09], run.half(), 0.1, 0.13, theme.shadow()));
-    }
-    for run in &runs {
-        out.push(Quad::rect(run.centre(), run.half(), 0.07, theme.wall()));
-    }
+    let bar = |run: &Run| Quad::rect(run.centre(), run.half(), 0.06, theme.wall());
+    out.extend(runs(floor).iter().map(bar));
 }
 
 /// The sill of a doorway, which lies on the floor.
