@@ -14,3 +14,5 @@ pub mod ccg;
 pub mod mdp;
 pub mod domain;
 pub mod corpus;
+pub mod render;
+pub mod worker;
