@@ -13,5 +13,9 @@ mod everywhere;
 mod tidy;
 #[path = "suite/world.rs"]
 mod world;
+#[path = "suite/dynamics.rs"]
+mod dynamics;
+#[path = "suite/drawing.rs"]
+mod drawing;
 #[path = "suite/corpus.rs"]
 mod corpus;

@@ -2,5 +2,9 @@
 //! A problem is an [`Mdp`]; a solver holds settings and a policy holds the result.
 
 pub mod problem;
+pub mod simulate;
+pub mod check;
 
+pub use check::{Fault, check};
 pub use problem::Mdp;
+pub use simulate::{sample, simulate};

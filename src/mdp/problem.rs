@@ -30,3 +30,30 @@ pub trait Mdp {
         Some(0)
     }
 }
+
+/// A problem that is lent is a problem.
+impl<P: Mdp> Mdp for &P {
+    type State = P::State;
+    type Action = P::Action;
+
+    fn initial(&self) -> Self::State {
+        (**self).initial()
+    }
+    fn actions(&self) -> &[Self::Action] {
+        (**self).actions()
+    }
+    fn successors(
+        &self,
+        state: Self::State,
+        action: Self::Action,
+        out: &mut Vec<(Self::State, f64)>,
+    ) {
+        (**self).successors(state, action, out);
+    }
+    fn is_terminal(&self, state: Self::State) -> bool {
+        (**self).is_terminal(state)
+    }
+    fn heuristic(&self, state: Self::State) -> Option<u32> {
+        (**self).heuristic(state)
+    }
+}
