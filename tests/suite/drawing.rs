@@ -47,7 +47,7 @@ fn mistakes_have_a_place() {
         ("r>r", "r#r", "line 1, column 1: the map has no robot"),
         ("r>r", "r>^", "line 3, column 4: the map has a second robot"),
         ("r>r#bbb", "r>r#b#b", "line 3, column 7: room `b` is no rectangle"),
-        ("r>r", "r>b", "line 3, column 4: room `b` is no rectangle"),
+        ("r>r", "r>b", "line 3, column 4: room `r` is no rectangle"),
         ("large", "at 5", "line 9, column 19: a whole number is missing here"),
         ("large", "at 4 1", "line 1, column 1: `object0` stands in a wall"),
         ("r room", "origin 5000 1\nr room", "line 6, column 14: the origin is too far away"),
