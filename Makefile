@@ -57,7 +57,7 @@ lint: rust-parts wasm-target ## formatting and clippy, natively and for wasm32, 
 	cargo clippy --target wasm32-unknown-unknown --all-targets -- -D warnings
 
 bench: ## CPU time of the engine's parts, beside the reference system's
-	cargo bench
+	cargo bench --bench engine
 
 build: wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages ## build the release site into target/site
 	$(call run,build,Building the release site (the first time takes some minutes),\

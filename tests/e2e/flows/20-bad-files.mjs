@@ -1,0 +1,87 @@
+// Files that are wrong: each is answered in words beside the corpus, and what was open stays open.
+
+import { flow } from '../flow.mjs';
+import { csv, openPage, rows } from '../page.mjs';
+
+/** A row of the six with one text replaced in its cells. */
+function spoilt(from, to) {
+  const line = rows[1].replace(from, to);
+  if (line === rows[1]) throw new Error(`no ${from} in the first row`);
+  return line;
+}
+
+/** Puts the object of a row's first state where the robot is. */
+function crowded() {
+  const [, x, y] = /""agent"":\{""x"":(\d+),""y"":(\d+)/.exec(rows[1]);
+  return spoilt(/(""objects"":\[\{[^}]*?""x"":)\d+(,""y"":)\d+/, `$1${x}$2${y}`);
+}
+
+/** Files without a single good row, and what must be said of each. */
+const HOPELESS = [
+  ['an empty file', '', /empty/i],
+  ['a header alone', csv(), /row/i],
+  ['a picture', Buffer.from([0x89, 0x50, 0x4e, 0x47, 0xff, 0xfe, 0x00, 0x80]), /UTF-8|text/],
+  ['a letter', 'Dear robot,\nplease go to the blue room.\n', /column/i],
+  ['a file without the command', csv(...rows.slice(1)).replace('Answer.command', 'Answer.other'), /Answer\.command/],
+  ['a file without a state', csv(...rows.slice(1)).replace('Input.post_1', 'Input.other_1'), /Input\.post_1|post_1/],
+];
+
+/** Rows that are wrong, each put before a good one, and what must be said. */
+const SPOILT = [
+  ['broken JSON', () => spoilt('""agent"":{', '""agent"":{{'), /line 2[^]*Input\.pre_1/],
+  ['a robot in a wall', () => spoilt(/""agent"":\{""x"":\d+/, '""agent"":{""x"":0'), /wall/],
+  ['two things in one cell', crowded, /cell/],
+  ['an unknown shape', () => spoilt(/""shape"":""\w+""/, '""shape"":""sofa""'), /sofa[^]*chair/],
+  ['an unknown colour', () => spoilt(/""color"":""\w+""/, '""color"":""mauve""'), /mauve[^]*red/],
+];
+
+for (const [what, content, message] of HOPELESS) {
+  flow(`${what} is refused in words, and the corpus stays`, async (t) => {
+    const demo = await openPage(t);
+    await demo.choose('other.csv', content);
+    const notice = demo.by('file-notice');
+    await notice.waitFor();
+    t.check(message.test(await notice.textContent()), `${message} in: ${await notice.textContent()}`);
+    t.check(await notice.isVisible(), 'the message is in sight');
+    t.equal(await demo.corpus(), { name: 'six.csv', rows: 6 }, 'what is open');
+    await demo.train();
+  });
+}
+
+for (const [what, row, message] of SPOILT) {
+  flow(`a row with ${what} is explained, and the good row is kept`, async (t) => {
+    const demo = await openPage(t);
+    await demo.choose('mixed.csv', csv(row(), rows[2]));
+    await t.until('the file is open', async () => (await demo.corpus()).name === 'mixed.csv');
+    t.equal(await demo.corpus(), { name: 'mixed.csv', rows: 1 }, 'what is open');
+    const problems = await demo.by('problems').textContent();
+    t.check(/line 2/.test(problems), `the line is named in: ${problems}`);
+    t.check(message.test(problems), `${message} in: ${problems}`);
+  });
+}
+
+flow('a model taught before outlives a bad file, dropped this time', async (t) => {
+  const demo = await openPage(t);
+  await demo.train();
+  const model = await demo.model();
+  await demo.drop('bad.csv', 'a,b\n1,2\n');
+  await demo.by('file-notice').waitFor();
+  t.check((await demo.model()) === model, 'the model is as it was');
+  await demo.ask('go to the blue room');
+  await demo.played();
+  t.equal((await demo.robot()).place, 'the blue room', 'and it still answers');
+  await t.accessible('a refused file');
+});
+
+flow('a bad model file is refused beside the training', async (t) => {
+  const demo = await openPage(t);
+  await demo.train();
+  const model = await demo.model();
+  const file = (text) => ({ name: 'bad.model', mimeType: 'text/plain', buffer: Buffer.from(text) });
+  for (const text of ['', 'groundling model 99\n', model.slice(0, model.length / 2), 'hello\n']) {
+    await demo.by('model-file').setInputFiles(file(text));
+    await t.until('a message', async () =>
+      (await demo.by('model-notice').count()) + (await demo.by('file-notice').count()) > 0);
+    t.check((await demo.model()) === model, 'the model is as it was');
+  }
+});
