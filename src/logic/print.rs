@@ -1,4 +1,4 @@
-//! Prints terms: as s-expressions that [`super::read`] reads back to the same id, and as people write logic.
+//! Prints terms: as s-expressions that [`super::read()`] reads back to the same id, and as people write logic.
 
 use super::term::{Node, TermId, Terms};
 

@@ -1,8 +1,8 @@
 //! Pictures of a world: a pure scene (state → quads in cells), its motion between two states, the same world
 //! as a grid of named cells for those who do not see the picture, and one file that knows the GPU.
 //!
-//! The page builds a [`Scene`] and hands it through [`link`] to the renderer, a wasm module of its own that is
-//! loaded when the first picture is wanted; nothing but [`gpu`] and the program `renderer` links the GPU.
+//! The page builds a [`Scene`] and hands it through `link` to the renderer, a wasm module of its own that is
+//! loaded when the first picture is wanted; nothing but `gpu` and the program `renderer` links the GPU.
 
 pub mod palette;
 pub mod floor;
