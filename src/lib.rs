@@ -13,6 +13,7 @@ pub mod logic;
 pub mod ccg;
 pub mod mdp;
 pub mod domain;
+pub mod ground;
 pub mod plan;
 pub mod corpus;
 pub mod render;

@@ -19,3 +19,7 @@ mod dynamics;
 mod drawing;
 #[path = "suite/corpus.rs"]
 mod corpus;
+#[path = "suite/goals.rs"]
+mod goals;
+#[path = "suite/holds.rs"]
+mod holds;

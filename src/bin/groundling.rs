@@ -4,6 +4,8 @@
 
 #[path = "groundling/command.rs"]
 mod command;
+#[path = "groundling/holds.rs"]
+mod holds;
 #[path = "groundling/reduce.rs"]
 mod reduce;
 
@@ -13,7 +15,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// Every command, in the order of the help.
-const COMMANDS: &[Command] = &[reduce::COMMAND];
+const COMMANDS: &[Command] = &[holds::COMMAND, reduce::COMMAND];
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();

@@ -138,7 +138,7 @@ fn explain(text: &str, path: &str, error: &serde_json::Error) -> String {
         let near: String = text.chars().skip(character.saturating_sub(12)).take(24).collect();
         return format!("not JSON: {detail}, at character {character} of the cell, near {near:?}");
     }
-    let at = if path == "." { "the cell".to_owned() } else { path.to_owned() };
+    let at = if path == "." { "the top".to_owned() } else { path.to_owned() };
     let hint = unknown_word(detail)
         .map_or_else(String::new, |(word, near)| format!("; did you mean {near} for {word}?"));
     format!("{detail}, at {at}, character {character}{hint}")

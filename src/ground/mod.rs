@@ -1,0 +1,16 @@
+//! Logical forms meet the world: what each constant means, what a phrase refers to, which states earn a goal.
+//! Determiners are resolved here and only here, in the initial state (invariant 4).
+
+pub mod predicate;
+pub mod thing;
+pub mod denote;
+pub mod goal;
+pub mod explain;
+pub mod validate;
+
+pub use denote::Failure;
+pub use explain::{Explanation, explain};
+pub use goal::{Formula, Goal, GoalError};
+pub use predicate::{Class, Meaning, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
+pub use thing::{Entity, Thing};
+pub use validate::{PairId, Side, Validator};
