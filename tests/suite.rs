@@ -9,6 +9,8 @@
 
 #[path = "suite/everywhere.rs"]
 mod everywhere;
+#[path = "suite/render.rs"]
+mod render;
 #[path = "suite/tidy.rs"]
 mod tidy;
 #[path = "suite/world.rs"]

@@ -10,12 +10,14 @@ pub mod quad;
 pub mod walls;
 pub mod scene;
 pub mod motion;
+pub mod grid;
 #[cfg(target_arch = "wasm32")]
 pub mod gpu;
 #[cfg(target_arch = "wasm32")]
 pub mod link;
 
 pub use floor::{Extent, Floor, Ground};
+pub use grid::{Cell, Grid, announce};
 pub use motion::{Motion, Pose};
 pub use palette::{Rgba, Theme};
 pub use quad::{Figure, Quad};

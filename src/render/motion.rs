@@ -63,7 +63,10 @@ impl Motion {
 
     /// The pose at `t`, eased in and out; `t` is cut to 0..=1.
     pub fn pose(&self, t: f32) -> Pose {
-        let t = if t.is_nan() { 1.0 } else { t.clamp(0.0, 1.0) };
+        if t >= 1.0 || t.is_nan() {
+            return self.to.clone();
+        }
+        let t = t.max(0.0);
         let glide = |a: [f32; 2], b: [f32; 2]| {
             let s = ease(t);
             [a[0] + (b[0] - a[0]) * s, a[1] + (b[1] - a[1]) * s]

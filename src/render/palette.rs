@@ -121,6 +121,11 @@ impl Theme {
         })
     }
 
+    /// Letters.
+    pub const fn signs(self) -> Rgba {
+        self.pick(0x23262f, 0xf1f3f8)
+    }
+
     /// Outlines and inner lines of objects.
     pub const fn ink(self) -> Rgba {
         self.pick(0x23262f, 0x0c0e12)
@@ -149,7 +154,7 @@ impl Theme {
             Color::Blue => self.pick(0x3a78db, 0x639bf2),
             Color::Yellow => self.pick(0xf6c92f, 0xf8d557),
             Color::Magenta => self.pick(0xc940b4, 0xe26bd0),
-            Color::Brown => self.pick(0x87553a, 0xab775a),
+            Color::Brown => self.pick(0x87553a, 0xb98362),
             Color::Orange => self.pick(0xf08526, 0xf99b4a),
             Color::Tan => self.pick(0xd8bd90, 0xdfc9a4),
             Color::Teal => self.pick(0x179a95, 0x3cbcb5),

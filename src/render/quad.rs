@@ -3,7 +3,7 @@
 //! Invariant: [`Figure`]'s numbers are those of `scene.wgsl`.
 
 use super::palette::Rgba;
-use crate::domain::Shape;
+use crate::domain::{Color, Shape};
 
 /// What is drawn inside a quad.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +35,8 @@ pub enum Figure {
     Backpack = 11,
     /// A box.
     Box = 12,
+    /// A colour's letter in `ink`, on a disc where `fill` is not clear; `detail[0]` = its place in [`Color::ALL`].
+    Letter = 13,
 }
 
 impl From<Shape> for Figure {
@@ -88,6 +90,13 @@ impl Quad {
     pub fn icon(figure: Figure, centre: [f32; 2], half: f32, fill: Rgba, ink: Rgba) -> Self {
         let detail = [0.0, 0.0];
         Self { centre, half: [half, half], turn: 0.0, figure, detail, fill, ink }
+    }
+
+    /// A colour's letter, in a square; on a disc where `disc` is not clear.
+    pub fn letter(color: Color, centre: [f32; 2], half: f32, disc: Rgba, ink: Rgba) -> Self {
+        let which = Color::ALL.iter().position(|c| *c == color).unwrap_or(0);
+        let icon = Self::icon(Figure::Letter, centre, half, disc, ink);
+        Self { detail: [which as f32, 0.0], ..icon }
     }
 
     /// The instance as the shader reads it: centre, half, turn, figure, detail, fill, ink.

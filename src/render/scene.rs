@@ -15,6 +15,8 @@ pub struct Options {
     pub theme: Theme,
     /// Cells (x, y) to point out: where a goal holds, what a phrase refers to.
     pub highlight: Vec<(i32, i32)>,
+    /// Whether each object bears its colour's letter; a room always does.
+    pub letters: bool,
 }
 
 /// A picture: quads on a ground.
@@ -53,6 +55,8 @@ impl Scene {
         let floor = Floor::of(state);
         let mut quads = Vec::new();
         quads.extend(state.rooms.iter().flat_map(|room| floor_quads(room, theme)));
+        let letters = state.rooms.iter().filter(|room| room.bounds.area() > 3);
+        quads.extend(letters.map(|room| room_letter(room, theme)));
         quads.extend(state.doors.iter().map(|door| walls::sill(door, &floor, theme)));
         let shown = options.highlight.iter().filter(|(x, y)| floor.extent.contains(*x, *y));
         quads.extend(shown.map(|cell| highlight(*cell, theme)));
@@ -62,6 +66,7 @@ impl Scene {
         }
         for (object, place) in state.objects.iter().zip(&pose.objects) {
             quads.extend(object_quads(object, *place, theme));
+            quads.extend(options.letters.then(|| object_letter(object, *place, theme)));
         }
         quads.extend(robot_quads(pose, theme));
         Self { extent: floor.extent, backdrop: theme.backdrop(), quads }
@@ -110,6 +115,18 @@ fn floor_quads(room: &Room, theme: Theme) -> impl Iterator<Item = Quad> {
     };
     let grid = Quad { figure: Figure::Grid, ink: theme.grid(), ..floor };
     [floor, grid].into_iter().filter(|quad| quad.half[0] > 0.0 && quad.half[1] > 0.0)
+}
+
+/// The letter of a room's colour, in the room's north-western corner.
+fn room_letter(room: &Room, theme: Theme) -> Quad {
+    let centre = [room.bounds.left as f32 + 0.56, room.bounds.top as f32 - 0.56];
+    let ink = theme.floor(room.color).mix(theme.signs(), 0.62);
+    Quad::letter(room.color, centre, 0.17, Rgba([0.0; 4]), ink)
+}
+
+/// The letter of an object's colour, on a disc at its lower right.
+fn object_letter(object: &Object, [x, y]: [f32; 2], theme: Theme) -> Quad {
+    Quad::letter(object.color, [x + 0.32, y - 0.32], 0.16, theme.backdrop(), theme.signs())
 }
 
 fn highlight((x, y): (i32, i32), theme: Theme) -> Quad {

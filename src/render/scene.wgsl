@@ -110,7 +110,7 @@ fn robot(brush: Brush, p: vec2f, shell: vec3f) -> Brush {
     let accent = vec3f(0.16, 0.74, 0.86);
     var b = part(brush, rectangle(side - vec2f(0.76, -0.04), vec2f(0.15, 0.42), 0.1), mix(brush.ink, shell, 0.25));
     // A nose that points ahead.
-    let nose = max(trapezoid(p - vec2f(0.0, 0.77), 0.42, 0.03, 0.24), -p.y);
+    let nose = max(trapezoid(p - vec2f(0.0, 0.73), 0.42, 0.03, 0.24), -p.y);
     b = part(b, nose - 0.05, accent);
     b = part(b, disc(p, 0.78), shell);
     b = flat_part(b, max(disc(p, 0.78 - b.line), -disc(p - vec2f(-0.1, 0.14), 0.76)), mix(shell, brush.ink, 0.13));
@@ -208,6 +208,35 @@ fn question(brush: Brush, p: vec2f, c: vec3f) -> Brush {
     return flat_part(b, sign, brush.ink);
 }
 
+// Half a ring to the right of a stem, with the two bars that lead to it: the bowl of B and R.
+fn bowl(p: vec2f, middle: f32, r: f32) -> f32 {
+    let side = vec2f(p.x, abs(p.y - middle));
+    let leads = bar(side, vec2f(-0.4, r), vec2f(0.46 - r, r), 0.13);
+    let turn = side - vec2f(0.46 - r, 0.0);
+    return min(leads, max(ring(turn, r, 0.13), -turn.x));
+}
+
+// The letters of the nine colours, in the order of the table: R G B Y M N O T E.
+fn letter(p: vec2f, which: u32) -> f32 {
+    let side = vec2f(abs(p.x), p.y);
+    let left = bar(p, vec2f(-0.4, -0.78), vec2f(-0.4, 0.78), 0.13);
+    let round = ring(vec2f(p.x, p.y * 0.74), 0.58, 0.13);
+    switch which {
+        case 0u: { return min(min(left, bowl(p, 0.39, 0.39)), bar(p, vec2f(0.02, 0.0), vec2f(0.42, -0.78), 0.13)); }
+        case 1u: {
+            let gap = max(round, -max(0.05 - p.x, abs(p.y - 0.16) - 0.26));
+            return min(gap, min(bar(p, vec2f(0.12, -0.1), vec2f(0.58, -0.1), 0.13), bar(p, vec2f(0.58, -0.1), vec2f(0.58, -0.34), 0.13)));
+        }
+        case 2u: { return min(min(left, bowl(p, 0.38, 0.4)), bowl(p - vec2f(0.06, 0.0), -0.38, 0.4)); }
+        case 3u: { return min(bar(side, vec2f(0.0, 0.0), vec2f(0.5, 0.78), 0.13), bar(p, vec2f(0.0, 0.0), vec2f(0.0, -0.78), 0.13)); }
+        case 4u: { return min(bar(side, vec2f(0.58, -0.78), vec2f(0.58, 0.78), 0.13), bar(side, vec2f(0.0, -0.1), vec2f(0.58, 0.78), 0.13)); }
+        case 5u: { return min(bar(side, vec2f(0.46, -0.78), vec2f(0.46, 0.78), 0.13), bar(p, vec2f(-0.46, 0.78), vec2f(0.46, -0.78), 0.13)); }
+        case 6u: { return round; }
+        case 7u: { return min(bar(p, vec2f(-0.5, 0.78), vec2f(0.5, 0.78), 0.13), bar(p, vec2f(0.0, -0.78), vec2f(0.0, 0.78), 0.13)); }
+        default: { return min(min(left, bar(vec2f(p.x, abs(p.y)), vec2f(-0.4, 0.78), vec2f(0.42, 0.78), 0.13)), bar(p, vec2f(-0.4, 0.0), vec2f(0.3, 0.0), 0.13)); }
+    }
+}
+
 @fragment
 fn fragment(in: Varying) -> @location(0) vec4f {
     let cell = 1.0 / camera.pixels;
@@ -249,6 +278,11 @@ fn fragment(in: Varying) -> @location(0) vec4f {
     brush.pixel = cell * unit;
     brush.line = max(0.085, 1.2 * brush.pixel);
     let p = in.at * unit;
+    if figure == 13u {
+        let disc_here = fill * cover(brush, disc(p, 1.0));
+        let sign = ink * cover(brush, letter(p / mix(0.95, 0.62, in.fill.a), u32(in.form.z + 0.5)));
+        return sign + disc_here * (1.0 - sign.a);
+    }
     let c = in.fill.rgb;
     let light = mix(c, vec3f(1.0), 0.34);
     let dark = mix(c, brush.ink, 0.36);
