@@ -16,5 +16,6 @@ pub mod domain;
 pub mod ground;
 pub mod plan;
 pub mod corpus;
+pub mod learn;
 pub mod render;
 pub mod worker;

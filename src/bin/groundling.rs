@@ -4,6 +4,14 @@
 
 #[path = "groundling/command.rs"]
 mod command;
+#[path = "groundling/corpora.rs"]
+mod corpora;
+#[path = "groundling/train.rs"]
+mod train;
+#[path = "groundling/evaluate.rs"]
+mod evaluate;
+#[path = "groundling/parse.rs"]
+mod parse;
 #[path = "groundling/holds.rs"]
 mod holds;
 #[path = "groundling/reduce.rs"]
@@ -15,7 +23,8 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// Every command, in the order of the help.
-const COMMANDS: &[Command] = &[holds::COMMAND, reduce::COMMAND];
+const COMMANDS: &[Command] =
+    &[train::COMMAND, evaluate::COMMAND, parse::COMMAND, holds::COMMAND, reduce::COMMAND];
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();

@@ -17,12 +17,27 @@ pub struct ChartConfig {
     pub budget: usize,
     /// Whether every derivation of an edge is kept, or the best alone.
     pub all_derivations: bool,
+    /// Whether a functor may add nothing to its argument, as placeholders do.
+    pub allow_vacuous: bool,
 }
 
 impl Default for ChartConfig {
     /// The paper's beam; a budget that a sentence of 50 words rarely reaches.
     fn default() -> Self {
-        ChartConfig { beam: 150, budget: 2_000_000, all_derivations: false }
+        ChartConfig { beam: 150, budget: 2_000_000, all_derivations: false, allow_vacuous: false }
+    }
+}
+
+impl ChartConfig {
+    /// The settings that a model was trained with.
+    pub fn of(model: &super::Model) -> Self {
+        let fact = |name: &str| model.facts.get(name)?.parse().ok();
+        let default = ChartConfig::default();
+        ChartConfig {
+            beam: fact("beam").unwrap_or(default.beam),
+            budget: fact("budget").unwrap_or(default.budget),
+            ..default
+        }
     }
 }
 
@@ -145,6 +160,11 @@ impl Chart {
         &self.edges[index as usize]
     }
 
+    /// The number of edges.
+    pub fn n_edges(&self) -> usize {
+        self.edges.len()
+    }
+
     /// The edges over the whole sentence, best first.
     pub fn roots(&self) -> std::ops::Range<u32> {
         if self.words == 0 { 0..0 } else { self.at(0, self.words).edges.clone() }
@@ -240,7 +260,8 @@ impl<F: Fn(RuleId) -> f64> Filling<'_, F> {
         }
         self.chart.tried += 1;
         let meanings = (left.category.meaning, right.category.meaning);
-        if let Some(meaning) = self.grammar.combine(rule, meanings.0, meanings.1) {
+        let vacuous = self.config.allow_vacuous;
+        if let Some(meaning) = self.grammar.combine(rule, meanings.0, meanings.1, vacuous) {
             let score = left.score + right.score + own;
             let step = Step::Binary { rule, left: l, right: r };
             self.add(Category { syntax, meaning }, rule.makes(), score, step, split);

@@ -187,8 +187,14 @@ impl Grammar {
     }
 
     /// The meaning that a row gives two neighbours; `None` when the meanings do not fit, the result would be too
-    /// large, or the functor adds nothing to its argument (`green green room`).
-    pub fn combine(&mut self, rule: RuleId, left: TermId, right: TermId) -> Option<TermId> {
+    /// large, or, unless that is allowed, the functor adds nothing to its argument (`green green room`).
+    pub fn combine(
+        &mut self,
+        rule: RuleId,
+        left: TermId,
+        right: TermId,
+        allow_vacuous: bool,
+    ) -> Option<TermId> {
         let rule = RULES.get(usize::from(rule.0))?;
         let meaning = (rule.meaning)(&mut self.terms, left, right).ok()?;
         let (functor, argument) = match rule.functor {
@@ -197,7 +203,7 @@ impl Grammar {
             Side::Neither => return Some(meaning),
         };
         let vacuous = meaning == argument && !self.is_identity(functor);
-        (!vacuous).then_some(meaning)
+        (allow_vacuous || !vacuous).then_some(meaning)
     }
 
     /// The category that a shift makes of another, with the row.

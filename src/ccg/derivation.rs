@@ -78,6 +78,14 @@ impl Derivation {
         }
     }
 
+    /// The entry of a leaf.
+    pub fn entry(&self) -> Option<EntryId> {
+        match self {
+            Derivation::Leaf { entry, .. } => Some(*entry),
+            Derivation::Node { .. } => None,
+        }
+    }
+
     /// Its leaves from left to right.
     pub fn leaves(&self) -> Vec<&Derivation> {
         match self {

@@ -43,12 +43,15 @@ pub struct FeatureId(u32);
 /// Counts by feature, scaled. A BTree, so that sums run in one order.
 pub type Vector = BTreeMap<FeatureId, f64>;
 
-/// Interned features with their weights θ, in the order they were first seen.
+/// Interned features with their weights θ, in the order they were first seen. While training, each weight has a
+/// drift beside it: the sum of its changes, each times the moment it was made. What the weight was on average
+/// follows from both (Freund and Schapire 1999; the bookkeeping is Daumé's).
 #[derive(Clone, Debug, Default)]
 pub struct Features {
     index: FxHashMap<Feature, FeatureId>,
     keys: Vec<Feature>,
     weights: Vec<f64>,
+    drifts: Vec<f64>,
 }
 
 impl Features {
@@ -58,6 +61,7 @@ impl Features {
         *self.index.entry(feature).or_insert_with(|| {
             self.keys.push(feature);
             self.weights.push(0.0);
+            self.drifts.push(0.0);
             next
         })
     }
@@ -83,10 +87,25 @@ impl Features {
         self.weights[id.0 as usize] = weight;
     }
 
-    /// θ += `by` · φ
-    pub fn add(&mut self, vector: &Vector, by: f64) {
+    /// Sets a drift.
+    pub fn set_drift(&mut self, feature: Feature, drift: f64) {
+        let id = self.intern(feature);
+        self.drifts[id.0 as usize] = drift;
+    }
+
+    /// θ += `by` · φ, at a moment counted from 0.
+    pub fn add(&mut self, vector: &Vector, by: f64, moment: f64) {
         for (&id, &value) in vector {
             self.weights[id.0 as usize] += by * value;
+            self.drifts[id.0 as usize] += moment * by * value;
+        }
+    }
+
+    /// Replaces every weight by its mean over so many moments, and forgets the drifts.
+    pub fn average(&mut self, moments: f64) {
+        for (weight, drift) in self.weights.iter_mut().zip(&mut self.drifts) {
+            *weight -= *drift / moments;
+            *drift = 0.0;
         }
     }
 
@@ -100,10 +119,10 @@ impl Features {
         *vector.entry(self.intern(feature)).or_insert(0.0) += feature.scale();
     }
 
-    /// The features with a weight other than 0, in order.
-    pub fn nonzero(&self) -> impl Iterator<Item = (Feature, f64)> {
-        let pairs = self.keys.iter().copied().zip(self.weights.iter().copied());
-        pairs.filter(|&(_, weight)| weight != 0.0)
+    /// All features with weight and drift, in order. Order is kept even for weights of 0: sums run in it.
+    pub fn iter(&self) -> impl Iterator<Item = (Feature, f64, f64)> {
+        let values = self.weights.iter().zip(&self.drifts);
+        self.keys.iter().zip(values).map(|(&key, (&weight, &drift))| (key, weight, drift))
     }
 }
 

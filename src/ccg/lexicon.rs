@@ -75,7 +75,8 @@ pub struct Lexicon {
     entries: IndexMap<Entry, Known, FxBuildHasher>,
     by_words: FxHashMap<Box<[Box<str>]>, Vec<EntryId>>,
     longest: usize,
-    admitted: usize,
+    /// The lexicon proper, in the order the entries came into it.
+    admitted: Vec<EntryId>,
     /// Constants that templates keep, besides connectives and determiners.
     pub frame: Vec<ConstantId>,
 }
@@ -112,20 +113,19 @@ impl Lexicon {
         (0..).map(TemplateId).zip(&self.templates)
     }
 
-    /// The entries of the lexicon proper, in the order they came.
-    pub fn entries(&self) -> impl Iterator<Item = EntryId> {
-        let part = |(_, known): &(u32, &Known)| known.origin != Origin::Candidate;
-        (0..).zip(self.entries.values()).filter(part).map(|(id, _)| EntryId(id))
+    /// The entries of the lexicon proper, in the order they came into it.
+    pub fn entries(&self) -> &[EntryId] {
+        &self.admitted
     }
 
     /// The number of entries of the lexicon proper.
     pub fn len(&self) -> usize {
-        self.admitted
+        self.admitted.len()
     }
 
     /// Whether the lexicon has no entry.
     pub fn is_empty(&self) -> bool {
-        self.admitted == 0
+        self.admitted.is_empty()
     }
 
     /// The most words that an entry of the lexicon proper has.
@@ -233,7 +233,7 @@ impl Lexicon {
             let words = self.lexemes[lexeme.0 as usize].words.clone();
             self.longest = self.longest.max(words.len());
             self.by_words.entry(words).or_default().push(id);
-            self.admitted += 1;
+            self.admitted.push(id);
         }
         new
     }

@@ -9,6 +9,9 @@ use super::model::Model;
 use super::sentence::words;
 use crate::logic::{ConstantId, Node, TermId, Terms, read};
 
+/// The weight of a seed lexeme.
+pub const SEED_LEXEME: f64 = 10.0;
+
 /// What is wrong with a lexicon's text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}: {reason}")]
@@ -66,14 +69,19 @@ fn read_line(model: &mut Model, line: &str) -> Result<(), String> {
     if words.is_empty() {
         return Err("there are no words before :-".to_owned());
     }
-    let n_words = words.len() as f64;
+    let weight = seed_weight(words.len());
     let entry = model
         .lexicon
         .add_category(&mut model.grammar, words, category, Origin::Seed)
         .map_err(|e| e.to_string())?;
-    model.features.set(Feature::Lexeme(model.lexicon.entry(entry).lexeme), 10.0);
-    model.features.set(Feature::Entry(entry), 10.0 * libm::pow(n_words, 1.1));
+    model.features.set(Feature::Lexeme(model.lexicon.entry(entry).lexeme), SEED_LEXEME);
+    model.features.set(Feature::Entry(entry), weight);
     Ok(())
+}
+
+/// The weight of a seed entry of so many words.
+pub fn seed_weight(n_words: usize) -> f64 {
+    10.0 * libm::pow(n_words as f64, 1.1)
 }
 
 /// Every constant must be in the signature with its type, or be a hole.

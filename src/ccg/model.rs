@@ -57,16 +57,18 @@ impl Model {
             let meaning = print(&self.grammar.terms, template.meaning);
             lines.push(format!("template\t{syntax}\t{}\t{meaning}", template.holes));
         }
-        for id in self.lexicon.entries() {
+        for &id in self.lexicon.entries() {
             let origin = match self.lexicon.origin(id) {
                 Origin::Seed => "seed",
                 Origin::Learned | Origin::Candidate => "learned",
             };
             lines.push(format!("entry\t{}\t{origin}", self.entry_text(id)));
         }
-        for (feature, weight) in self.features.nonzero() {
-            if let Some(feature) = self.feature_text(feature) {
-                lines.push(format!("weight\t{feature}\t{weight}"));
+        for (feature, weight, drift) in self.features.iter() {
+            let feature = self.feature_text(feature);
+            lines.push(format!("weight\t{feature}\t{weight}"));
+            if drift != 0.0 {
+                lines.push(format!("drift\t{feature}\t{drift}"));
             }
         }
         lines.push("end\n".to_owned());
@@ -143,13 +145,16 @@ impl Model {
                 };
                 self.read_entry(words, constants, template, origin)?;
             }
-            ["weight", ref feature @ .., weight] => {
-                let weight: f64 = weight.parse().map_err(|_| format!("{weight:?} is no number"))?;
-                if !weight.is_finite() {
-                    return Err(format!("the weight {weight} is not finite"));
+            [kind @ ("weight" | "drift"), ref feature @ .., value] => {
+                let value: f64 = value.parse().map_err(|_| format!("{value:?} is no number"))?;
+                if !value.is_finite() {
+                    return Err(format!("the {kind} {value} is not finite"));
                 }
                 let feature = self.read_feature(feature)?;
-                self.features.set(feature, weight);
+                match kind {
+                    "weight" => self.features.set(feature, value),
+                    _ => self.features.set_drift(feature, value),
+                }
             }
             _ => return Err(format!("no line of a model begins with {:?}", fields.first())),
         }
@@ -203,9 +208,9 @@ impl Model {
         format!("{}\t{}\t{place}", lexeme.words.join(" "), constants.join(" "))
     }
 
-    /// A feature as a model file has it; `None` for one of a candidate, which is no part of the model.
-    fn feature_text(&self, feature: Feature) -> Option<String> {
-        let text = match feature {
+    /// A feature as a model file has it.
+    fn feature_text(&self, feature: Feature) -> String {
+        match feature {
             Feature::Lexeme(id) => {
                 let lexeme = self.lexicon.lexeme(id);
                 let constants: Vec<String> =
@@ -213,13 +218,11 @@ impl Model {
                 format!("lexeme\t{}\t{}", lexeme.words.join(" "), constants.join(" "))
             }
             Feature::Template(id) => format!("template\t{}", self.lexicon.template_place(id)),
-            Feature::Entry(id) if self.lexicon.origin(id) == Origin::Candidate => return None,
             Feature::Entry(id) => format!("entry\t{}", self.entry_text(id)),
             Feature::Rule(rule) => format!("rule\t{}", rule.name()),
             Feature::Skip => "skip".to_owned(),
             Feature::Pair(a, b) => format!("pair\t{}\t{}", self.constant(a), self.constant(b)),
-        };
-        Some(text)
+        }
     }
 
     fn read_feature(&mut self, fields: &[&str]) -> Result<Feature, String> {

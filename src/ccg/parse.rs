@@ -65,10 +65,20 @@ pub struct Parse {
 }
 
 impl Parse {
-    /// The number of readings that share the best score.
+    /// The readings with their ranks: two that share a rank are tied.
+    pub fn ranked(&self) -> impl Iterator<Item = (i64, Reading)> {
+        self.readings.iter().map(|&reading| (rank(reading.score), reading))
+    }
+
+    /// The number of readings that share the best rank.
     pub fn tied(&self) -> usize {
-        let best = self.readings.first().map(|reading| rank(reading.score));
-        self.readings.iter().take_while(|reading| Some(rank(reading.score)) == best).count()
+        let best = self.ranked().next().map(|(rank, _)| rank);
+        self.ranked().take_while(|&(rank, _)| Some(rank) == best).count()
+    }
+
+    /// Whether the chart ran out of its budget: there may be better readings.
+    pub fn over_budget(&self) -> bool {
+        self.chart.over_budget
     }
 
     /// The one best reading, if there is just one.

@@ -81,11 +81,20 @@ pub(crate) fn only_files(mut arguments: lexopt::Parser) -> Result<Vec<PathBuf>, 
     Ok(files)
 }
 
+/// What a blank line in a stream is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Blank {
+    /// An input like any other.
+    IsALine,
+    /// A mistake, but at the very end, where it is nothing.
+    IsAMistake,
+}
+
 /// Answers every line of the files (standard input when there are none; `-` names it too) with a line on
-/// standard output; a line that `answer` refuses, with `{"error", "line"}`. Empty lines at the very end
-/// are no lines.
+/// standard output; a line that `answer` refuses, with `{"error", "line"}`.
 pub(crate) fn answer_lines(
     files: &[PathBuf],
+    blank: Blank,
     mut answer: impl FnMut(&str) -> Result<String, String>,
 ) -> Result<Done, Failure> {
     let standard = [PathBuf::new()];
@@ -97,12 +106,13 @@ pub(crate) fn answer_lines(
         let (mut number, mut empty) = (0, 0);
         while let Some(line) = next_line(&mut *input, number == 0).map_err(failed)? {
             number += 1;
-            if matches!(&line, Ok(text) if text.trim().is_empty()) {
+            let is_blank = matches!(&line, Ok(text) if text.trim().is_empty());
+            if is_blank && blank == Blank::IsAMistake {
                 empty += 1;
                 continue;
             }
-            for blank in number - empty..number {
-                done = refuse(&format!("{prefix}the line is empty"), blank)?;
+            for at in number - empty..number {
+                done = refuse(&format!("{prefix}the line is empty"), at)?;
             }
             empty = 0;
             match line.and_then(|text| answer(&text)) {

@@ -1,6 +1,6 @@
 //! `holds`: JSON lines `{goal, initial, current}` in, `{"holds"}` out.
 
-use super::command::{Command, Done, Failure, answer_lines, only_files};
+use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::corpus::cell;
 use groundling::domain::State;
 use groundling::ground::Goal;
@@ -28,7 +28,7 @@ struct Question<'a> {
 }
 
 fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
-    answer_lines(&only_files(arguments)?, answer)
+    answer_lines(&only_files(arguments)?, Blank::IsAMistake, answer)
 }
 
 fn answer(line: &str) -> Result<String, String> {

@@ -1,6 +1,6 @@
 //! `reduce`: a term a line in, its normal form out.
 
-use super::command::{Command, Done, Failure, answer_lines, only_files};
+use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::logic::{Terms, print, read};
 
 pub(crate) const COMMAND: Command = Command {
@@ -14,7 +14,7 @@ pub(crate) const COMMAND: Command = Command {
 };
 
 fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
-    answer_lines(&only_files(arguments)?, |line| {
+    answer_lines(&only_files(arguments)?, Blank::IsAMistake, |line| {
         let mut terms = Terms::new();
         let term = read(&mut terms, line).map_err(|e| e.to_string())?;
         Ok(print(&terms, term))

@@ -1,0 +1,56 @@
+//! Reading corpora and writing models for the commands that train and evaluate.
+
+use super::command::Failure;
+use groundling::ccg::Model;
+use groundling::corpus::{Example, Form, Options, read};
+use std::fs::{self, File};
+use std::io::{self, BufReader, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// The examples of all files in their order; what is wrong or odd with a row goes to standard error.
+pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Vec<Example>, Failure> {
+    let mut all = Vec::new();
+    for path in files {
+        let failed = |source| Failure::Input { path: path.clone(), source };
+        let source: Box<dyn Read> = if path.as_os_str() == "-" {
+            Box::new(io::stdin().lock())
+        } else {
+            Box::new(BufReader::new(File::open(path).map_err(failed)?))
+        };
+        let form = Form::of_name(&path.to_string_lossy());
+        let (corpus, flaws) = read(form, source, Options { with_rejected });
+        for flaw in &flaws {
+            let fate = if flaw.kept { "kept" } else { "left out" };
+            // Standard error may be gone; the work goes on.
+            let _ = writeln!(io::stderr(), "{}: {flaw} ({fate})", path.display());
+        }
+        if corpus.examples.is_empty() {
+            let why = flaws.first().map_or("it has no rows".to_owned(), ToString::to_string);
+            let path = path.display();
+            return Err(Failure::Usage(format!("{path}: no row can be used: {why}")));
+        }
+        all.extend(corpus.examples);
+    }
+    Ok(all)
+}
+
+/// The model in a file.
+pub(crate) fn model(path: &Path) -> Result<Model, Failure> {
+    Model::read(&text(path)?)
+        .map_err(|e| Failure::Usage(format!("{}: no model: {e}", path.display())))
+}
+
+/// A text file.
+pub(crate) fn text(path: &Path) -> Result<String, Failure> {
+    fs::read_to_string(path).map_err(|source| Failure::Input { path: path.to_owned(), source })
+}
+
+/// Writes a file whole or not at all: beside it first, then in its place.
+pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(".part");
+    let beside = PathBuf::from(beside);
+    fs::write(&beside, text)
+        .and_then(|()| fs::rename(&beside, path))
+        .map_err(|e| Failure::Usage(format!("cannot write {}: {e}", path.display())))
+}

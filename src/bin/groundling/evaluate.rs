@@ -1,0 +1,65 @@
+//! `evaluate`: a model's precision, recall and F1 on a corpus.
+
+use super::command::{Command, Done, Failure};
+use super::corpora::{examples, model};
+use super::train::scores_json;
+use groundling::ccg::ChartConfig;
+use groundling::learn::Evaluation;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::time::Instant;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "evaluate",
+    about: "Score a model on commands with states before and after",
+    usage: "--model MODEL --corpus FILE [--with-rejected] [--json]",
+    details: "  --model MODEL       a model file\n\
+              \x20 --corpus FILE       batch-results CSV or JSON lines (.jsonl)\n\
+              \x20 --with-rejected     use rejected rows too\n\
+              \x20 --json              print one JSON object",
+    run,
+};
+
+fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+    use lexopt::Arg::Long;
+    let (mut model_file, mut corpus) = (None, None);
+    let (mut with_rejected, mut as_json) = (false, false);
+    while let Some(argument) = arguments.next()? {
+        match argument {
+            Long("model") => model_file = Some(PathBuf::from(arguments.value()?)),
+            Long("corpus") => corpus = Some(PathBuf::from(arguments.value()?)),
+            Long("with-rejected") => with_rejected = true,
+            Long("json") => as_json = true,
+            other => return Err(other.unexpected().into()),
+        }
+    }
+    let missing = |name: &str| Failure::Usage(format!("{name} is missing"));
+    let mut model = model(&model_file.ok_or_else(|| missing("--model MODEL"))?)?;
+    let examples = examples(&[corpus.ok_or_else(|| missing("--corpus FILE"))?], with_rejected)?;
+    let started = Instant::now();
+    let config = ChartConfig::of(&model);
+    let mut evaluation = Evaluation::new(&mut model, &examples, config);
+    while evaluation.step().is_some() {}
+    let scores = evaluation.scores();
+    let text = if as_json {
+        let mut report = scores_json(scores);
+        report["seconds"] = started.elapsed().as_secs_f64().into();
+        report.to_string()
+    } else {
+        let line = |name, score: groundling::learn::Score| {
+            format!(
+                "{name:<18} answered {:>5}   correct {:>5}   precision {:.3}   recall {:.3}   F1 {:.3}",
+                score.answered,
+                score.correct,
+                score.precision(),
+                score.recall(scores.total),
+                score.f1(scores.total),
+            )
+        };
+        let heading = format!("{} commands", scores.total);
+        [heading, line("without skipping", scores.plain), line("with skipping", scores.skipping)]
+            .join("\n")
+    };
+    writeln!(io::stdout(), "{text}").map_err(Failure::Output)?;
+    Ok(Done::Well)
+}

@@ -1,0 +1,50 @@
+//! `parse`: a command a line in, its readings as a JSON line out.
+
+use super::command::{Blank, Command, Done, Failure, answer_lines};
+use super::corpora::model;
+use groundling::ccg::{ChartConfig, parse};
+use groundling::logic::print;
+use lexopt::ValueExt;
+use serde_json::{Value, json};
+use std::path::PathBuf;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "parse",
+    about: "Say what commands mean to a model",
+    usage: "--model MODEL [--best 10] [FILE…]",
+    details: "In:  a command a line\n\
+              Out: {\"command\", \"forms\": [{\"form\", \"score\"}], \"skipped\": [words], \"reason\"?} a line;\n\
+              \x20    all forms tied for best are listed even beyond --best\n\
+              \x20    reason, where there is no single answer: empty, too_long, unknown_words, no_parse, tie, budget",
+    run,
+};
+
+fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+    use lexopt::Arg;
+    let (mut model_file, mut files) = (None, Vec::new());
+    let mut best = 10usize;
+    while let Some(argument) = arguments.next()? {
+        match argument {
+            Arg::Long("model") => model_file = Some(PathBuf::from(arguments.value()?)),
+            Arg::Long("best") => best = arguments.value()?.parse()?,
+            Arg::Long("json") => {}
+            Arg::Value(file) => files.push(file.into()),
+            other => return Err(other.unexpected().into()),
+        }
+    }
+    let path = model_file.ok_or_else(|| Failure::Usage("--model MODEL is missing".into()))?;
+    let mut model = model(&path)?;
+    let config = ChartConfig::of(&model);
+    answer_lines(&files, Blank::IsALine, |command| {
+        let parse = parse(&mut model, command, config);
+        let shown = parse.readings.iter().take(best.max(parse.tied()));
+        let forms: Vec<Value> = shown
+            .map(|r| json!({ "form": print(&model.grammar.terms, r.form), "score": r.score }))
+            .collect();
+        let mut answer = json!({ "command": command, "forms": forms, "skipped": parse.skipped });
+        if let Some(reason) = parse.reason {
+            answer["reason"] = reason.name().into();
+        }
+        Ok(answer.to_string())
+    })
+}

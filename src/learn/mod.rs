@@ -1,0 +1,12 @@
+//! Learning a parser from commands and the states before and after them: coarse lexical generation and the
+//! validation-driven perceptron (Artzi and Zettlemoyer 2013; Williams et al., Section IV-B). Never plans.
+
+pub mod seed;
+pub mod genlex;
+pub mod perceptron;
+pub mod trainer;
+pub mod evaluate;
+
+pub use evaluate::{Evaluation, Score, Scores};
+pub use seed::{DEMONSTRATION_LEXICON, seed_model};
+pub use trainer::{Config, Epoch, Progress, Trainer};

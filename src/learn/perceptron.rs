@@ -1,0 +1,48 @@
+//! The validation-driven perceptron (Artzi and Zettlemoyer 2013, Algorithm 1): valid readings are to score
+//! higher than invalid ones by a margin that grows with how much they differ.
+
+use crate::ccg::{Features, Vector};
+
+/// A reading's features and whether it is valid.
+pub struct Judged {
+    /// φ of the reading.
+    pub features: Vector,
+    /// Whether it holds on every demonstration.
+    pub valid: bool,
+}
+
+/// θ += mean φ over E⁺ − mean φ over E⁻, where E⁺ and E⁻ are the members of pairs of a valid and an invalid
+/// reading that violate the margin. Returns whether there were any.
+pub fn update(features: &mut Features, judged: &[Judged], margin: f64, moment: f64) -> bool {
+    let scores: Vec<f64> = judged.iter().map(|reading| features.dot(&reading.features)).collect();
+    let mut violates = vec![false; judged.len()];
+    for (v, valid) in judged.iter().enumerate().filter(|(_, reading)| reading.valid) {
+        for (w, invalid) in judged.iter().enumerate().filter(|(_, reading)| !reading.valid) {
+            let distance = l1_distance(&valid.features, &invalid.features);
+            if scores[v] - scores[w] < margin * distance {
+                violates[v] = true;
+                violates[w] = true;
+            }
+        }
+    }
+    if !violates.contains(&true) {
+        return false;
+    }
+    for valid in [true, false] {
+        let members = || {
+            let all = judged.iter().zip(&violates);
+            all.filter(move |(reading, violates)| **violates && reading.valid == valid)
+        };
+        let share = 1.0 / members().count() as f64;
+        let by = if valid { share } else { -share };
+        members().for_each(|(reading, _)| features.add(&reading.features, by, moment));
+    }
+    true
+}
+
+/// ‖a − b‖₁, summed in the features' order.
+fn l1_distance(a: &Vector, b: &Vector) -> f64 {
+    let ours = a.iter().map(|(id, x)| (x - b.get(id).unwrap_or(&0.0)).abs());
+    let theirs = b.iter().filter(|(id, _)| !a.contains_key(id)).map(|(_, y)| y.abs());
+    ours.chain(theirs).fold(0.0, |sum, part| sum + part)
+}

@@ -1,0 +1,23 @@
+//! What learning starts from: the ontology of Cleanup World and a seed lexicon.
+
+use crate::ccg::Model;
+use crate::ccg::lexicon_text::{LexiconError, read_lexicon};
+use crate::logic::Signature;
+
+/// The constants of Cleanup World.
+const ONTOLOGY: &str = include_str!("../../assets/lexicon/ontology.txt");
+
+/// The seed lexicon of the paper's demonstration with six sentences.
+pub const DEMONSTRATION_LEXICON: &str = include_str!("../../assets/lexicon/demonstration.txt");
+
+/// A model that knows the seed lexicon and nothing else.
+///
+/// # Errors
+/// With the line of the lexicon that is wrong.
+pub fn seed_model(lexicon: &str) -> Result<Model, LexiconError> {
+    let signature = Signature::read(ONTOLOGY)
+        .map_err(|e| LexiconError { line: e.line, reason: format!("ontology: {}", e.reason) })?;
+    let mut model = Model { signature, ..Model::default() };
+    read_lexicon(&mut model, lexicon)?;
+    Ok(model)
+}

@@ -1,0 +1,385 @@
+//! Training as a resumable walk over epochs and examples: generate candidates, keep those of the best valid
+//! parses, update the weights (Artzi and Zettlemoyer 2013). A function of corpus, settings and seed alone.
+
+use super::genlex::{Candidate, candidates};
+use super::perceptron::{Judged, update};
+use crate::ccg::chart::ChartConfig;
+use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
+use crate::ccg::{Derivation, EntryId, MAX_WORDS, Model, Origin, words};
+use crate::corpus::Example;
+use crate::ground::{PairId, Validator};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
+use rustc_hash::FxHashMap;
+
+/// The settings of a training run; the default is the paper's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Config {
+    /// Passes over the corpus.
+    pub epochs: u32,
+    /// Edges kept per span when parsing.
+    pub beam: u32,
+    /// Edges kept per span when generating lexical entries.
+    pub lexical_beam: u32,
+    /// Pairs of each example that are looked at, from the first; all when `None`.
+    pub demonstrations: Option<u32>,
+    /// The factor of the margin.
+    pub margin: f64,
+    /// The seed of the order of examples; with 0 they come in the corpus' order.
+    pub seed: u32,
+    /// Derivations tried in a chart.
+    pub budget: usize,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Config {
+            epochs: 15,
+            beam: 150,
+            lexical_beam: 75,
+            demonstrations: None,
+            margin: 1.0,
+            seed: 0,
+            budget: ChartConfig::default().budget,
+        }
+    }
+}
+
+impl Config {
+    /// The settings as facts of a model file.
+    fn facts(&self) -> [(&'static str, String); 7] {
+        let demonstrations = self.demonstrations.map_or("all".to_owned(), |n| n.to_string());
+        [
+            ("epochs", self.epochs.to_string()),
+            ("beam", self.beam.to_string()),
+            ("lexical_beam", self.lexical_beam.to_string()),
+            ("demonstrations", demonstrations),
+            ("margin", self.margin.to_string()),
+            ("seed", self.seed.to_string()),
+            ("budget", self.budget.to_string()),
+        ]
+    }
+}
+
+/// How far training is, after an example.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// The epoch at work, from 1.
+    pub epoch: u32,
+    /// Examples of this epoch that were seen.
+    pub example: usize,
+    /// What this epoch did so far.
+    pub so_far: Epoch,
+}
+
+/// What an epoch did.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Epoch {
+    /// Examples with a valid parse.
+    pub valid: usize,
+    /// Updates of the weights.
+    pub updates: usize,
+    /// Entries of the lexicon at its end.
+    pub entries: usize,
+    /// Sentences whose chart ran out of its budget.
+    pub over_budget: usize,
+}
+
+/// The facts of a checkpoint that a finished model does not have.
+const PLACE: [&str; 5] = ["at_epoch", "at_example", "at_valid", "at_updates", "at_over_budget"];
+
+/// A command as training sees it.
+struct Item {
+    words: Vec<String>,
+    pairs: Vec<PairId>,
+}
+
+/// What is done next with the example at work.
+enum Phase {
+    Generate,
+    Update,
+}
+
+/// Why a run cannot go on from a checkpoint.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the checkpoint does not fit: its {fact} is {theirs}, that of this run is {ours}")]
+pub struct ResumeError {
+    /// The fact that differs.
+    pub fact: String,
+    /// Its value in the checkpoint.
+    pub theirs: String,
+    /// Its value in this run.
+    pub ours: String,
+}
+
+/// A training run. Every [`Trainer::step`] does a bounded part of it.
+pub struct Trainer {
+    model: Model,
+    config: Config,
+    items: Vec<Item>,
+    validator: Validator,
+    /// Candidates by sentence: they depend on the seed lexicon's frames and are made once.
+    generated: FxHashMap<Vec<String>, Vec<Candidate>>,
+    order: Vec<u32>,
+    epoch: u32,
+    next: usize,
+    phase: Phase,
+    so_far: Epoch,
+    epochs: Vec<Epoch>,
+}
+
+impl Trainer {
+    /// A run over the examples, from a model that knows a seed lexicon.
+    pub fn new(mut model: Model, examples: &[Example], config: Config) -> Self {
+        for (name, value) in config.facts() {
+            model.facts.insert(name.to_owned(), value);
+        }
+        model.facts.insert("examples".to_owned(), examples.len().to_string());
+        model.facts.insert("corpus".to_owned(), fingerprint(examples));
+        let mut validator = Validator::new();
+        let items = examples
+            .iter()
+            .map(|example| {
+                let n_pairs = config.demonstrations.map_or(usize::MAX, |n| n as usize);
+                let pairs = example.pairs.iter().take(n_pairs);
+                Item {
+                    words: words(&example.command),
+                    pairs: pairs.map(|pair| validator.pair(&pair.pre, &pair.post)).collect(),
+                }
+            })
+            .collect();
+        let mut trainer = Trainer {
+            model,
+            config,
+            items,
+            validator,
+            generated: FxHashMap::default(),
+            order: Vec::new(),
+            epoch: 0,
+            next: 0,
+            phase: Phase::Generate,
+            so_far: Epoch::default(),
+            epochs: Vec::new(),
+        };
+        trainer.begin_epoch();
+        trainer
+    }
+
+    /// Goes on where a checkpoint of the same run was made.
+    ///
+    /// # Errors
+    /// When the checkpoint is of another corpus or of other settings.
+    pub fn resume(
+        checkpoint: Model,
+        examples: &[Example],
+        config: Config,
+    ) -> Result<Self, ResumeError> {
+        let theirs = checkpoint.facts.clone();
+        let mut trainer = Trainer::new(checkpoint, examples, config);
+        for (fact, ours) in &trainer.model.facts {
+            let before = theirs.get(fact).map_or("missing", String::as_str);
+            if before != ours {
+                let (theirs, ours) = (before.to_owned(), ours.clone());
+                return Err(ResumeError { fact: fact.clone(), theirs, ours });
+            }
+        }
+        let number = |fact: &str| theirs.get(fact).and_then(|text| text.parse::<usize>().ok());
+        let at: Vec<usize> = PLACE.iter().filter_map(|fact| number(fact)).collect();
+        if let [epoch, next, valid, updates, over_budget] = at[..] {
+            trainer.epoch = (epoch as u32).saturating_sub(1);
+            trainer.begin_epoch();
+            trainer.next = next.min(trainer.items.len());
+            let entries = trainer.model.lexicon.len();
+            trainer.so_far = Epoch { valid, updates, entries, over_budget };
+        }
+        PLACE.iter().for_each(|&fact| drop(trainer.model.facts.shift_remove(fact)));
+        Ok(trainer)
+    }
+
+    /// A model file from which the run can go on, made between two examples.
+    pub fn checkpoint(&self) -> String {
+        let mut model = self.model.clone();
+        let Epoch { valid, updates, over_budget, .. } = self.so_far;
+        let place = [self.epoch as usize, self.next, valid, updates, over_budget];
+        for (fact, value) in PLACE.iter().zip(place) {
+            model.facts.insert((*fact).to_owned(), value.to_string());
+        }
+        model.print()
+    }
+
+    /// Examples in an epoch.
+    pub fn n_examples(&self) -> usize {
+        self.items.len()
+    }
+
+    /// Whether all epochs are done.
+    pub fn is_done(&self) -> bool {
+        self.epoch > self.config.epochs || self.items.is_empty()
+    }
+
+    /// What each epoch that is over did.
+    pub fn epochs(&self) -> &[Epoch] {
+        &self.epochs
+    }
+
+    /// The model as it is now.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// Ends the run: the model with every weight as it was on average.
+    pub fn into_model(mut self) -> Model {
+        let visits = self.visits();
+        if visits > 0.0 {
+            self.model.features.average(visits);
+        }
+        self.model
+    }
+
+    /// Visits of examples before the one at work.
+    fn visits(&self) -> f64 {
+        f64::from(self.epoch - 1) * self.items.len() as f64 + self.next as f64
+    }
+
+    /// Does the next part; the progress when that ended an example.
+    pub fn step(&mut self) -> Option<Progress> {
+        if self.is_done() {
+            return None;
+        }
+        let at = *self.order.get(self.next)? as usize;
+        match self.phase {
+            Phase::Generate => {
+                self.generate(at);
+                self.phase = Phase::Update;
+                None
+            }
+            Phase::Update => {
+                self.update(at);
+                self.phase = Phase::Generate;
+                self.next += 1;
+                self.so_far.entries = self.model.lexicon.len();
+                let progress =
+                    Progress { epoch: self.epoch, example: self.next, so_far: self.so_far };
+                if self.next == self.items.len() {
+                    self.epochs.push(self.so_far);
+                    self.begin_epoch();
+                }
+                Some(progress)
+            }
+        }
+    }
+
+    fn begin_epoch(&mut self) {
+        self.epoch += 1;
+        self.next = 0;
+        self.so_far = Epoch::default();
+        self.order = (0..self.items.len() as u32).collect();
+        if self.config.seed != 0 {
+            let mut random =
+                Pcg32::seed_from_u64(u64::from(self.config.seed) << 32 | u64::from(self.epoch));
+            for last in (1..self.order.len() as u32).rev() {
+                let other = random.random_range(0..=last);
+                self.order.swap(last as usize, other as usize);
+            }
+        }
+    }
+
+    fn chart_config(&self, beam: u32) -> ChartConfig {
+        ChartConfig { beam: beam as usize, budget: self.config.budget, ..ChartConfig::default() }
+    }
+
+    /// Lexical generation: the candidates that the best valid parses use become entries.
+    fn generate(&mut self, at: usize) {
+        let words = &self.items[at].words;
+        if words.is_empty() || words.len() > MAX_WORDS {
+            return;
+        }
+        if !self.generated.contains_key(words) {
+            let config = self.chart_config(self.config.lexical_beam);
+            let found = candidates(&mut self.model, words, config);
+            self.generated.insert(words.clone(), found);
+        }
+        let candidates = &self.generated[words];
+        let mut items = lexical_items(&self.model, words);
+        for candidate in candidates {
+            if self.model.lexicon.origin(candidate.entry) == Origin::Candidate {
+                items.push(lexical_item(
+                    &self.model,
+                    candidate.entry,
+                    candidate.start,
+                    candidate.end,
+                ));
+            }
+        }
+        let config = self.chart_config(self.config.beam);
+        let parse = fill(&mut self.model, words, items, config);
+        let mut additions: Vec<Vec<EntryId>> = Vec::new();
+        for reading in self.best_valid(&parse, at) {
+            let derivation = parse.derivation(reading);
+            let lexicon = &self.model.lexicon;
+            let entries = derivation.leaves().into_iter().filter_map(Derivation::entry);
+            let new = |entry: &EntryId| lexicon.origin(*entry) == Origin::Candidate;
+            additions.push(entries.filter(new).collect());
+        }
+        // Of readings that explain the demonstrations equally well, the one that asks for least is believed.
+        if let Some(fewest) = additions.iter().min_by_key(|entries| entries.len()) {
+            for &entry in fewest {
+                self.model.lexicon.admit(entry, Origin::Learned);
+            }
+        }
+    }
+
+    /// The valid readings that no other valid reading outscores.
+    fn best_valid(&mut self, parse: &Parse, at: usize) -> Vec<crate::ccg::Reading> {
+        let mut best = Vec::new();
+        let mut bar = None;
+        for (rank, reading) in parse.ranked() {
+            if bar.is_some_and(|bar| rank < bar) {
+                break;
+            }
+            if self.validator.valid(&self.model.grammar.terms, reading.form, &self.items[at].pairs)
+            {
+                bar = Some(rank);
+                best.push(reading);
+            }
+        }
+        best
+    }
+
+    /// The perceptron's update on a parse with the lexicon alone.
+    fn update(&mut self, at: usize) {
+        let words = &self.items[at].words;
+        if words.is_empty() || words.len() > MAX_WORDS {
+            return;
+        }
+        let items = lexical_items(&self.model, words);
+        let config = self.chart_config(self.config.beam);
+        let parse = fill(&mut self.model, words, items, config);
+        let mut judged = Vec::with_capacity(parse.readings.len());
+        for &reading in &parse.readings {
+            let terms = &self.model.grammar.terms;
+            let valid = self.validator.valid(terms, reading.form, &self.items[at].pairs);
+            let derivation = parse.derivation(reading);
+            let features = derivation.features(&mut self.model, reading.form);
+            judged.push(Judged { features, valid });
+        }
+        self.so_far.valid += usize::from(judged.iter().any(|reading| reading.valid));
+        self.so_far.over_budget += usize::from(parse.over_budget());
+        let moment = self.visits();
+        let updated = update(&mut self.model.features, &judged, self.config.margin, moment);
+        self.so_far.updates += usize::from(updated);
+    }
+}
+
+/// A fingerprint of commands and states, so that a model tells what it was trained on.
+fn fingerprint(examples: &[Example]) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for example in examples {
+        hasher.update(example.command.as_bytes());
+        for state in example.pairs.iter().flat_map(|pair| [&pair.pre, &pair.post]) {
+            // A state always has a JSON form: it has no maps and no floats.
+            hasher.update(serde_json::to_string(state).unwrap_or_default().as_bytes());
+        }
+    }
+    hasher.finalize().to_hex().to_string()
+}
