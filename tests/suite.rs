@@ -25,3 +25,5 @@ mod corpus;
 mod goals;
 #[path = "suite/holds.rs"]
 mod holds;
+#[path = "suite/planning.rs"]
+mod planning;

@@ -14,6 +14,8 @@ mod evaluate;
 mod parse;
 #[path = "groundling/holds.rs"]
 mod holds;
+#[path = "groundling/plan.rs"]
+mod plan;
 #[path = "groundling/reduce.rs"]
 mod reduce;
 
@@ -23,8 +25,14 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 /// Every command, in the order of the help.
-const COMMANDS: &[Command] =
-    &[train::COMMAND, evaluate::COMMAND, parse::COMMAND, holds::COMMAND, reduce::COMMAND];
+const COMMANDS: &[Command] = &[
+    train::COMMAND,
+    evaluate::COMMAND,
+    parse::COMMAND,
+    holds::COMMAND,
+    plan::COMMAND,
+    reduce::COMMAND,
+];
 
 fn main() -> ExitCode {
     let arguments: Vec<OsString> = std::env::args_os().skip(1).collect();

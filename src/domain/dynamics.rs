@@ -112,6 +112,12 @@ impl Dynamics {
         &self.layout
     }
 
+    /// Its rules.
+    #[must_use]
+    pub const fn rules(&self) -> Rules {
+        self.rules
+    }
+
     /// How many objects there are.
     #[must_use]
     pub const fn n_objects(&self) -> usize {

@@ -5,6 +5,9 @@ pub mod predicate;
 pub mod thing;
 pub mod denote;
 pub mod goal;
+mod distance;
+mod compile;
+pub mod task;
 pub mod explain;
 pub mod validate;
 
@@ -12,5 +15,6 @@ pub use denote::Failure;
 pub use explain::{Explanation, explain};
 pub use goal::{Formula, Goal, GoalError};
 pub use predicate::{Class, Meaning, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
+pub use task::{Task, TaskError};
 pub use thing::{Entity, Thing};
 pub use validate::{PairId, Side, Validator};

@@ -1,0 +1,259 @@
+//! A goal compiled to a test on packed states, with a lower bound on the actions that are still needed:
+//! an atom's is exact in an empty world (`distance`), a conjunction's the largest of its parts, a
+//! disjunction's the smallest. Negations stand at the atoms only, where they turn the places that fulfil it.
+
+use super::distance::{Ground, Table};
+use super::goal::{Formula, Goal};
+use super::predicate::Relation;
+use super::thing::{Entity, Thing};
+use crate::domain::layout::Place;
+use crate::domain::{Bounds, Dynamics, Packed, State};
+
+/// A goal over packed states of one [`Dynamics`].
+#[derive(Clone, Debug)]
+pub(super) struct Compiled {
+    root: Node,
+    atoms: Vec<Atom>,
+    tables: Vec<(Wish, Table)>,
+}
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Node {
+    All(Vec<Node>),
+    Any(Vec<Node>),
+    /// By index.
+    Atom(usize),
+}
+
+/// What stands in one cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Body {
+    Agent,
+    Object(usize),
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Atom {
+    first: Body,
+    /// The second thing of a relation between two; for `in`, the first once more.
+    second: Body,
+    /// Its wish and table.
+    table: usize,
+}
+
+/// What an atom wants of the places of its things, whichever these are; the key of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Wish {
+    Inside { region: Bounds, robot: bool, wanted: bool },
+    Beside { relation: Relation, robot: bool, wanted: bool },
+}
+
+impl Wish {
+    /// Whether things in these two cells (the same twice for `in`) are as wished.
+    #[inline]
+    fn holds(self, first: (i32, i32), second: (i32, i32)) -> bool {
+        let (dx, dy) = (second.0 - first.0, second.1 - first.1);
+        match self {
+            Self::Inside { region, wanted, .. } => {
+                region.strictly_inside(first.0, first.1) == wanted
+            }
+            Self::Beside { relation, wanted, .. } => {
+                wanted
+                    == match relation {
+                        Relation::Left => (dx, dy) == (1, 0),
+                        Relation::Right => (dx, dy) == (-1, 0),
+                        Relation::Near => dx.abs().max(dy.abs()) == 1,
+                        Relation::In | Relation::Eq => false,
+                    }
+            }
+        }
+    }
+}
+
+impl Compiled {
+    /// Compiles a goal for the world of `dynamics` as it is in `state`, packed in `initial`.
+    pub(super) fn new(goal: &Goal, dynamics: &Dynamics, state: &State, initial: Packed) -> Self {
+        let mut compiler = Compiler { things: Thing::all(state), atoms: Vec::new() };
+        let root = compiler.node(goal.formula(), true);
+        let ground = Ground::new(dynamics, initial);
+        let mut compiled = Self { root, atoms: Vec::new(), tables: Vec::new() };
+        for (first, second, wish) in compiler.atoms {
+            let known = compiled.tables.iter().position(|t| t.0 == wish);
+            let table = known.unwrap_or_else(|| {
+                compiled.tables.push((wish, table(wish, dynamics, &ground)));
+                compiled.tables.len() - 1
+            });
+            compiled.atoms.push(Atom { first, second, table });
+        }
+        compiled
+    }
+
+    /// Whether no state whatever fulfils it: it asks for something of a thing that is not there.
+    pub(super) fn is_impossible(&self) -> bool {
+        self.root == Node::Any(Vec::new())
+    }
+
+    /// Whether it holds.
+    pub(super) fn holds(&self, dynamics: &Dynamics, packed: Packed) -> bool {
+        self.node_holds(&self.root, dynamics, packed)
+    }
+
+    /// A lower bound on the actions still needed; `None` when no number suffices.
+    pub(super) fn bound(&self, dynamics: &Dynamics, packed: Packed) -> Option<u32> {
+        self.node_bound(&self.root, dynamics, packed)
+    }
+
+    fn node_holds(&self, node: &Node, dynamics: &Dynamics, packed: Packed) -> bool {
+        match node {
+            Node::All(all) => all.iter().all(|n| self.node_holds(n, dynamics, packed)),
+            Node::Any(any) => any.iter().any(|n| self.node_holds(n, dynamics, packed)),
+            Node::Atom(index) => {
+                let atom = &self.atoms[*index];
+                let cell = |body| dynamics.layout().cell(place(body, dynamics, packed));
+                self.tables[atom.table].0.holds(cell(atom.first), cell(atom.second))
+            }
+        }
+    }
+
+    fn node_bound(&self, node: &Node, dynamics: &Dynamics, packed: Packed) -> Option<u32> {
+        match node {
+            Node::All(all) => all
+                .iter()
+                .try_fold(0, |most, n| self.node_bound(n, dynamics, packed).map(|b| b.max(most))),
+            Node::Any(any) => any.iter().filter_map(|n| self.node_bound(n, dynamics, packed)).min(),
+            Node::Atom(index) => {
+                let atom = &self.atoms[*index];
+                let at = |body| place(body, dynamics, packed);
+                let (wish, table) = &self.tables[atom.table];
+                let (first, second) = match wish {
+                    Wish::Inside { robot: false, .. } => (Body::Agent, atom.first),
+                    _ => (atom.first, atom.second),
+                };
+                table.bound(at(Body::Agent), at(first), at(second))
+            }
+        }
+    }
+}
+
+#[inline]
+fn place(body: Body, dynamics: &Dynamics, packed: Packed) -> Place {
+    match body {
+        Body::Agent => dynamics.agent(packed),
+        Body::Object(index) => dynamics.object(packed, index),
+    }
+}
+
+fn table(wish: Wish, dynamics: &Dynamics, ground: &Ground<'_>) -> Table {
+    let cell = |p: Place| dynamics.layout().cell(p);
+    let holds = |a: Place, b: Place| wish.holds(cell(a), cell(b));
+    match wish {
+        Wish::Inside { robot: true, .. } => ground.single(|p| holds(p, p)),
+        Wish::Inside { robot: false, .. } => ground.with_object(|_, object| holds(object, object)),
+        Wish::Beside { robot: true, .. } => ground.with_object(holds),
+        Wish::Beside { robot: false, .. } => ground.two_objects(holds),
+    }
+}
+
+struct Compiler<'s> {
+    things: Vec<Thing<'s>>,
+    atoms: Vec<(Body, Body, Wish)>,
+}
+
+impl Compiler<'_> {
+    /// The formula, or its negation when it is not wanted.
+    fn node(&mut self, formula: &Formula, wanted: bool) -> Node {
+        match formula {
+            Formula::And(parts) => self.join(parts.iter(), wanted, wanted),
+            Formula::Or(parts) => self.join(parts.iter(), wanted, !wanted),
+            Formula::Not(part) => self.node(part, !wanted),
+            // Nothing comes into a world: the witnesses are those of the initial state.
+            Formula::Exists { known, .. } => self.join(known.iter().map(|k| &k.1), wanted, !wanted),
+            Formula::Property(property, of) => {
+                let holds = self.find(of).is_some_and(|t| property.holds(self.things[t]));
+                constant(holds == wanted)
+            }
+            Formula::Relation(relation, a, b) => self.relation(*relation, a, b, wanted),
+        }
+    }
+
+    /// All parts, or any, each as wanted; constants are folded away.
+    fn join<'f>(
+        &mut self,
+        parts: impl Iterator<Item = &'f Formula>,
+        wanted: bool,
+        all: bool,
+    ) -> Node {
+        let (unit, absorber) = (constant(all), constant(!all));
+        let mut joined = Vec::new();
+        for part in parts {
+            let node = self.node(part, wanted);
+            if node == absorber {
+                return absorber;
+            }
+            if node != unit {
+                joined.push(node);
+            }
+        }
+        match (joined.len(), all) {
+            (1, _) => joined.swap_remove(0),
+            (_, true) => Node::All(joined),
+            (_, false) => Node::Any(joined),
+        }
+    }
+
+    fn relation(&mut self, relation: Relation, a: &Entity, b: &Entity, wanted: bool) -> Node {
+        let (Some(a), Some(b)) = (self.find(a), self.find(b)) else { return constant(!wanted) };
+        let is_robot = |body| body == Body::Agent;
+        match (relation, self.body(a), self.body(b), self.things[b].bounds()) {
+            (Relation::Eq, ..) => constant((a == b) == wanted),
+            (Relation::In, Some(body), _, Some(region)) => {
+                self.atom(body, body, Wish::Inside { region, robot: is_robot(body), wanted })
+            }
+            (Relation::Near | Relation::Left | Relation::Right, Some(first), Some(second), _)
+                if first != second =>
+            {
+                // The robot comes first.
+                let turned = match relation {
+                    Relation::Left => Relation::Right,
+                    Relation::Right => Relation::Left,
+                    other => other,
+                };
+                let robot = is_robot(first) || is_robot(second);
+                if is_robot(second) {
+                    let wish = Wish::Beside { relation: turned, robot, wanted };
+                    self.atom(second, first, wish)
+                } else {
+                    self.atom(first, second, Wish::Beside { relation, robot, wanted })
+                }
+            }
+            _ => constant(!wanted),
+        }
+    }
+
+    fn atom(&mut self, first: Body, second: Body, wish: Wish) -> Node {
+        self.atoms.push((first, second, wish));
+        Node::Atom(self.atoms.len() - 1)
+    }
+
+    /// The thing that goes by an entity.
+    fn find(&self, entity: &Entity) -> Option<usize> {
+        self.things.iter().position(|t| t.is(entity))
+    }
+
+    /// Agent or object; objects stand last among the things, in the state's order.
+    fn body(&self, thing: usize) -> Option<Body> {
+        match self.things[thing] {
+            Thing::Agent { .. } => Some(Body::Agent),
+            Thing::Object(_) => {
+                let is_object = |t: &&Thing<'_>| matches!(t, Thing::Object(_));
+                Some(Body::Object(self.things.iter().take(thing).filter(is_object).count()))
+            }
+            Thing::Room(_) | Thing::Door(_) => None,
+        }
+    }
+}
+
+/// What is always so, or never.
+fn constant(value: bool) -> Node {
+    if value { Node::All(Vec::new()) } else { Node::Any(Vec::new()) }
+}
