@@ -133,7 +133,7 @@ fn oracle(goal: &Goal, initial: &State, pull: bool) -> Option<usize> {
 fn world(seed: u64, objects: u32) -> State {
     let mut state = generate(&Plan { side: (7, 7), objects: (objects, objects) }, seed);
     state.doors[0].lock = Lock::ALL[(seed % 3) as usize];
-    if seed % 7 == 0 {
+    if seed.is_multiple_of(7) {
         state.doors[1].lock = Lock::Locked;
     }
     state
