@@ -212,6 +212,11 @@ impl Trainer {
         self.items.len()
     }
 
+    /// The settings of the run.
+    pub fn config(&self) -> &Config {
+        &self.config
+    }
+
     /// Whether all epochs are done.
     pub fn is_done(&self) -> bool {
         self.epoch > self.config.epochs || self.items.is_empty()

@@ -1,3 +1,7 @@
-//! The engine behind the page: one protocol, one job, pumped by the page's worker, the command line and tests alike.
+//! The engine behind the page: one protocol, one job, pumped by the page's worker, tests and benches alike.
 
 pub mod protocol;
+mod ask;
+pub mod job;
+
+pub use job::Engine;

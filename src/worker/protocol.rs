@@ -18,7 +18,7 @@ pub struct Envelope<T> {
     pub body: T,
 }
 
-/// What the page asks of the engine. A request other than `Cancel` replaces the one at work.
+/// What the page asks of the engine. A request other than `Cancel` and `Ping` replaces the one at work.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Request {
@@ -55,6 +55,8 @@ pub enum Request {
     },
     /// Stops what is at work → [`Event::Cancelled`] for that request's id.
     Cancel,
+    /// Asks whether the engine still answers → [`Event::Pong`]; replaces nothing.
+    Ping,
 }
 
 /// The settings of a training run that the page offers.
@@ -78,6 +80,13 @@ pub struct TrainSettings {
 pub enum Event {
     /// The engine is up.
     Ready,
+    /// The engine still answers.
+    Pong,
+    /// The engine has met an error in the program and can do nothing more.
+    Crashed {
+        /// The panic's message and place.
+        message: String,
+    },
     /// A corpus was read.
     Corpus(CorpusReport),
     /// One row's states.

@@ -1,0 +1,233 @@
+//! The engine: what it keeps (a corpus, a model) and the one job at work. A job is pumped step by step by whoever
+//! owns the engine: the page's worker, tests and benches alike; a step does a bounded amount of work.
+
+use super::ask::Asking;
+use super::protocol::{
+    CorpusReport, Event, PairText, Problem, Progress, Request, RowSummary, TrainReport,
+    TrainSettings,
+};
+use crate::ccg::Model;
+use crate::corpus::{Corpus, Flaw, Form, Options, Rows};
+use crate::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
+use std::io::Cursor;
+
+/// Rows that a step reads.
+const ROWS_A_STEP: usize = 4;
+
+/// Work in parts. Every [`Job::step`] does a bounded part; the job is over when it returns a last event.
+enum Job {
+    /// Nothing but an answer.
+    Say(Event),
+    /// A corpus is read.
+    Read { name: String, rows: Box<Rows<Cursor<Vec<u8>>>>, corpus: Corpus, flaws: Vec<Flaw> },
+    /// A parser is learned.
+    Train(Box<Trainer>),
+    /// A command is answered.
+    Ask(Box<Asking>),
+}
+
+/// What the engine knows and what it is at.
+#[derive(Default)]
+pub struct Engine {
+    corpus: Corpus,
+    model: Option<Model>,
+    work: Option<(u32, Job)>,
+    /// A request that ended before the one at work, and must still be told so.
+    cancelled: Option<u32>,
+}
+
+impl Engine {
+    /// An engine that knows nothing.
+    pub fn new() -> Engine {
+        Engine::default()
+    }
+
+    /// Takes a request; what was at work is cancelled, and what it would have replaced stays.
+    pub fn start(&mut self, id: u32, request: Request) {
+        let at_work = self.work.take().map(|(id, _)| id);
+        self.cancelled = at_work.or(self.cancelled);
+        let job = match request {
+            Request::ReadCorpus { name, text } => read_corpus(name, text),
+            Request::ShowRow { row } => Job::Say(self.show_row(row)),
+            Request::Train { settings } => self.train(&settings),
+            Request::OpenModel { text } => Job::Say(self.open_model(text)),
+            Request::Ask { command, state, pull } => match &self.model {
+                Some(_) => Job::Ask(Box::new(Asking::new(command, state, pull))),
+                None => refuse("There is no model yet: train one, or open a model file."),
+            },
+            Request::Cancel => return,
+            Request::Ping => Job::Say(Event::Pong),
+        };
+        self.work = Some((id, job));
+    }
+
+    /// Whether there is something to step.
+    pub fn busy(&self) -> bool {
+        self.cancelled.is_some() || self.work.is_some()
+    }
+
+    /// Does a bounded part of the work; what there is to say of it, with the id of its request.
+    pub fn step(&mut self) -> Option<(u32, Event)> {
+        if let Some(id) = self.cancelled.take() {
+            return Some((id, Event::Cancelled));
+        }
+        let (id, job) = self.work.take()?;
+        let (event, job) = self.advance(job);
+        self.work = job.map(|job| (id, job));
+        event.map(|event| (id, event))
+    }
+
+    /// One step of a job: what it says, and the job if it is not over.
+    fn advance(&mut self, job: Job) -> (Option<Event>, Option<Job>) {
+        match job {
+            Job::Say(event) => (Some(event), None),
+            Job::Read { name, mut rows, mut corpus, mut flaws } => {
+                for _ in 0..ROWS_A_STEP {
+                    match rows.next() {
+                        Some(row) => flaws.extend(corpus.add(row)),
+                        None => return (Some(self.keep_corpus(name, corpus, flaws)), None),
+                    }
+                }
+                (None, Some(Job::Read { name, rows, corpus, flaws }))
+            }
+            Job::Train(mut trainer) => {
+                let said = trainer.step().map(|p| Event::Progress(progress(&trainer, p)));
+                if trainer.is_done() && said.is_none() {
+                    return (Some(self.keep_model(*trainer)), None);
+                }
+                (said, Some(Job::Train(trainer)))
+            }
+            Job::Ask(mut asking) => match &mut self.model {
+                Some(model) => match asking.step(model) {
+                    Some(Ok(answer)) => (Some(Event::Answer(Box::new(answer))), None),
+                    Some(Err(error)) => (Some(Event::Refused { message: error.to_string() }), None),
+                    None => (None, Some(Job::Ask(asking))),
+                },
+                None => (Some(Event::Cancelled), None),
+            },
+        }
+    }
+
+    fn keep_corpus(&mut self, name: String, corpus: Corpus, flaws: Vec<Flaw>) -> Event {
+        let rows = corpus.examples.iter().map(|example| RowSummary {
+            command: example.command.clone(),
+            task: example.task.clone(),
+            pairs: example.pairs.len(),
+        });
+        let report = CorpusReport {
+            name,
+            rows: rows.collect(),
+            rejected: corpus.rejected,
+            problems: flaws.into_iter().map(problem).collect(),
+        };
+        if !corpus.examples.is_empty() {
+            self.corpus = corpus;
+        }
+        Event::Corpus(report)
+    }
+
+    fn show_row(&self, row: usize) -> Event {
+        match self.corpus.examples.get(row) {
+            Some(example) => {
+                let pairs = example.pairs.iter();
+                let pairs = pairs.map(|p| PairText { pre: p.pre.clone(), post: p.post.clone() });
+                Event::Row { row, pairs: pairs.collect() }
+            }
+            None => Event::Refused { message: format!("The corpus has no row {row}.") },
+        }
+    }
+
+    fn train(&self, settings: &TrainSettings) -> Job {
+        if self.corpus.examples.is_empty() {
+            return refuse("There is nothing to learn from: load a corpus first.");
+        }
+        let limits = [
+            ("epochs", settings.epochs, 1..=1_000),
+            ("beam", settings.beam, 1..=10_000),
+            ("lexical beam", settings.lexical_beam, 1..=10_000),
+            ("demonstrations", settings.demonstrations.unwrap_or(1), 1..=1_000),
+        ];
+        for (name, value, range) in limits {
+            if !range.contains(&value) {
+                let (least, most) = range.into_inner();
+                return refuse(&format!("The {name} must be between {least} and {most}."));
+            }
+        }
+        let config = Config {
+            epochs: settings.epochs,
+            beam: settings.beam,
+            lexical_beam: settings.lexical_beam,
+            demonstrations: settings.demonstrations,
+            seed: settings.seed,
+            ..Config::default()
+        };
+        match seed_model(DEMONSTRATION_LEXICON) {
+            Ok(seed) => Job::Train(Box::new(Trainer::new(seed, &self.corpus.examples, config))),
+            Err(error) => refuse(&format!("The seed lexicon cannot be read: {error}.")),
+        }
+    }
+
+    fn keep_model(&mut self, trainer: Trainer) -> Event {
+        let (examples, last) = (trainer.n_examples(), trainer.epochs().last().copied());
+        let model = trainer.into_model();
+        let report = TrainReport {
+            model: model.print(),
+            examples,
+            valid: last.unwrap_or_default().valid,
+            entries: model.lexicon.len(),
+        };
+        self.model = Some(model);
+        Event::Trained(report)
+    }
+
+    fn open_model(&mut self, text: String) -> Event {
+        match Model::read(&text) {
+            Ok(model) => {
+                let fact = |name: &str| model.facts.get(name)?.parse().ok();
+                let examples = fact("examples").unwrap_or(0);
+                let valid = fact("valid").unwrap_or(0);
+                let report =
+                    TrainReport { model: text, examples, valid, entries: model.lexicon.len() };
+                self.model = Some(model);
+                Event::Trained(report)
+            }
+            Err(error) => Event::Refused { message: format!("This is no model file: {error}.") },
+        }
+    }
+}
+
+fn read_corpus(name: String, text: String) -> Job {
+    let source = Cursor::new(text.into_bytes());
+    match Rows::new(Form::of_name(&name), source, Options::default()) {
+        Ok(rows) => {
+            let corpus = Corpus { columns: rows.columns().to_vec(), ..Corpus::default() };
+            Job::Read { name, rows: Box::new(rows), corpus, flaws: Vec::new() }
+        }
+        Err(flaw) => Job::Say(Event::Corpus(CorpusReport {
+            name,
+            rows: Vec::new(),
+            rejected: 0,
+            problems: vec![problem(flaw)],
+        })),
+    }
+}
+
+fn refuse(message: &str) -> Job {
+    Job::Say(Event::Refused { message: message.to_owned() })
+}
+
+fn problem(flaw: Flaw) -> Problem {
+    Problem { line: flaw.line, column: flaw.column, message: flaw.message, kept: flaw.kept }
+}
+
+fn progress(trainer: &Trainer, progress: crate::learn::Progress) -> Progress {
+    Progress {
+        epoch: progress.epoch,
+        epochs: trainer.config().epochs,
+        example: progress.example,
+        examples: trainer.n_examples(),
+        valid: progress.so_far.valid,
+        updates: progress.so_far.updates,
+        entries: progress.so_far.entries,
+    }
+}
