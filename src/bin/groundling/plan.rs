@@ -1,6 +1,6 @@
 //! `plan`: a goal and a world a line in, a shortest plan out.
 
-use super::command::{Command, Done, Failure, answer_lines, only_files};
+use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::domain::{Rules, State};
 use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, read};
@@ -54,7 +54,7 @@ struct Answer {
 }
 
 fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
-    answer_lines(&only_files(arguments)?, |line| {
+    answer_lines(&only_files(arguments)?, Blank::IsAMistake, |line| {
         let started = Instant::now();
         let mut answer = answer(line)?;
         answer.seconds = started.elapsed().as_secs_f64();
