@@ -27,3 +27,5 @@ mod goals;
 mod holds;
 #[path = "suite/planning.rs"]
 mod planning;
+#[path = "suite/demonstration.rs"]
+mod demonstration;
