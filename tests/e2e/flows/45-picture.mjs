@@ -1,0 +1,113 @@
+// The picture of the room: drawn by the GPU, crisp, moving; and what stands in for it when there is no GPU,
+// when it goes away, or when its program does not come.
+
+import { flow } from '../flow.mjs';
+import { colours } from '../golden.mjs';
+import { openPage } from '../page.mjs';
+
+/** Waits until the stage is drawn this way. */
+async function drawnBy(demo, backend) {
+  await demo.t.until(`drawn by ${backend}`, async () =>
+    (await demo.by('stage').getAttribute('data-backend')) === backend);
+}
+
+/** The robot is led to the blue room, and the page says so. */
+async function goesToTheBlueRoom(demo) {
+  await demo.train();
+  await demo.ask('go to the blue room');
+  await demo.played();
+  demo.t.equal((await demo.robot()).place, 'the blue room', 'where the robot ends');
+}
+
+/** Takes the GPU away from the canvas that is shown. */
+const lose = (demo) => demo.by('stage').locator('canvas').evaluate((canvas) =>
+  canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext());
+
+flow('the picture, at the start and at the end, is the golden one', async (t) => {
+  const demo = await openPage(t);
+  await drawnBy(demo, 'webgl2');
+  const stage = demo.by('stage');
+  t.check(colours(await stage.screenshot()) > 20, 'a picture of many colours');
+  await t.golden('start', stage);
+  await goesToTheBlueRoom(demo);
+  await demo.page.mouse.move(0, 0);
+  await t.golden('blue-room', stage);
+});
+
+for (const ratio of [1, 1.5, 3]) {
+  flow(`the picture is crisp at ${ratio} device pixels a pixel`, { deviceScaleFactor: ratio }, async (t) => {
+    const demo = await openPage(t);
+    await drawnBy(demo, 'webgl2');
+    const [width, shown] = await demo.by('stage').locator('canvas').evaluate((canvas) =>
+      [canvas.width, canvas.getBoundingClientRect().width]);
+    t.check(Math.abs(width - shown * ratio) <= 1, `${width} pixels for ${shown} at ${ratio}`);
+  });
+}
+
+flow('steps glide', async (t) => {
+  const demo = await openPage(t);
+  await drawnBy(demo, 'webgl2');
+  t.check((await stillness(demo)).includes('false'), 'the picture moves between steps');
+});
+
+flow('steps jump for who prefers less motion', { reducedMotion: 'reduce' }, async (t) => {
+  const demo = await openPage(t);
+  await drawnBy(demo, 'webgl2');
+  const seen = await stillness(demo);
+  t.check(!seen.includes('false'), `the picture never moves between steps: ${seen}`);
+});
+
+/** Whether the picture was still, each time that this changed while a plan was played. */
+async function stillness(demo) {
+  await demo.train();
+  const stage = demo.by('stage');
+  await stage.evaluate((element) => {
+    globalThis.seen = [element.dataset.still];
+    new MutationObserver(() => globalThis.seen.push(element.dataset.still))
+      .observe(element, { attributeFilter: ['data-still'] });
+  });
+  await demo.ask('go to the blue room');
+  await demo.played();
+  return demo.page.evaluate(() => globalThis.seen);
+}
+
+flow('a GPU that goes away is replaced, and in the end done without', async (t) => {
+  const demo = await openPage(t);
+  await drawnBy(demo, 'webgl2');
+  t.expect(/WebGL|CONTEXT_LOST|context/i);
+  await demo.train();
+  await lose(demo);
+  await t.until('a fresh canvas', async () =>
+    demo.by('stage').locator('canvas').evaluate((canvas) => !canvas.getContext('webgl2')?.isContextLost()));
+  await drawnBy(demo, 'webgl2');
+  t.check(colours(await demo.by('stage').screenshot()) > 20, 'drawn again');
+  await lose(demo);
+  await drawnBy(demo, 'svg');
+  t.check(colours(await demo.by('stage').screenshot()) > 20, 'drawn by the page itself');
+  await demo.ask('go to the blue room');
+  await demo.played();
+  t.equal((await demo.robot()).place, 'the blue room', 'where the robot ends');
+  await t.accessible('a page without a GPU');
+  await t.shot('no-gpu');
+});
+
+flow('a browser without a GPU is drawn for by the page itself', async (t) => {
+  await t.context.addInitScript(() => {
+    const original = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function getContext(kind, ...rest) {
+      return /webgl|webgpu/.test(kind) ? null : original.call(this, kind, ...rest);
+    };
+  });
+  const demo = await openPage(t);
+  t.expect(/WebGL|GPU|context/i);
+  await drawnBy(demo, 'svg');
+  await goesToTheBlueRoom(demo);
+});
+
+flow('the page works when its renderer does not come', async (t) => {
+  await t.context.route(/renderer[^/]*\.wasm/, (route) => route.abort());
+  const demo = await openPage(t);
+  t.expect(/renderer|Failed to (fetch|load)|ERR_FAILED/);
+  await drawnBy(demo, 'svg');
+  await goesToTheBlueRoom(demo);
+});
