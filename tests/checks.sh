@@ -53,7 +53,7 @@ check "documentation" "
 check "no browser natively" "
     cargo tree --edges normal,build --prefix none >$logs/tree
     ! grep -E '^(wasm-bindgen|web-sys|js-sys|yew|wgpu|gloo)' $logs/tree"
-check "browser tests" "cargo test --no-fail-fast --target $wasm --test browser_page --test browser_picture --test browser_worker"
+check "browser tests" "cargo test --no-fail-fast --target $wasm --test 'browser_*'"
 check "release site" "trunk build --release --dist '$SITE' && test -s '$SITE/index.html'"
 check "sizes" "node tests/e2e/sizes.mjs '$SITE'"
 check "command line" "cargo build --bin groundling"
