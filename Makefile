@@ -6,7 +6,7 @@ SHELL := bash
 .ONESHELL:
 .SILENT:
 .DEFAULT_GOAL := help
-.PHONY: help serve test test-long fmt lint bench build shots check-corpora update-goldens \
+.PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora update-goldens \
 	rust-parts wasm-target chromium packages command-line
 
 # Where our own tools live; another folder can be given to share them between work trees.
@@ -63,13 +63,16 @@ build: wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages 
 	$(call run,build,Building the release site (the first time takes some minutes),\
 		trunk build --release --dist "$(SITE)" && test -s "$(SITE)/index.html")
 
-shots: build command-line chromium ## take the pictures of the README anew, from the real page
+shots: build chromium ## take the pictures of the README anew, from the real page
 	node tests/e2e/run.mjs --folder shots
 
-check-corpora: build command-line chromium ## train the page on a corpus kept elsewhere: DIR=folder
+check-corpora: build chromium ## train the page on a corpus kept elsewhere: DIR=folder
 	test -n "$(DIR)" || { echo "say where the corpora are: make check-corpora DIR=folder" >&2; exit 2; }
 	test -f "$(DIR)/amt-six-train.csv" || { echo "$(DIR) has no amt-six-train.csv" >&2; exit 2; }
 	CORPORA="$(abspath $(DIR))" node tests/e2e/run.mjs --folder corpora
+
+e2e: build command-line chromium ## drive the built site in Chromium: FLOWS="words of their titles" for some
+	node tests/e2e/run.mjs $(FLOWS)
 
 update-goldens: build command-line chromium ## take the golden pictures of the end-to-end flows anew
 	UPDATE=1 node tests/e2e/run.mjs
