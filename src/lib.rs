@@ -19,3 +19,4 @@ pub mod corpus;
 pub mod learn;
 pub mod render;
 pub mod worker;
+pub mod ui;

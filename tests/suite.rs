@@ -29,3 +29,5 @@ mod holds;
 mod planning;
 #[path = "suite/demonstration.rs"]
 mod demonstration;
+#[path = "suite/ui.rs"]
+mod ui;

@@ -3,5 +3,7 @@
 pub mod protocol;
 mod ask;
 pub mod job;
+#[cfg(target_arch = "wasm32")]
+pub mod agent;
 
 pub use job::Engine;

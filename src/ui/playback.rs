@@ -1,0 +1,104 @@
+//! A plan as it is played: where in it the robot is, and whether it goes on by itself.
+
+use crate::domain::State;
+use crate::worker::protocol::PlanText;
+
+/// Milliseconds from one step to the next.
+pub const STEP_MS: u32 = 280;
+
+/// A plan with at least one action, and the step that is shown. Invariant: `at < states.len()`, and there is
+/// one more state than actions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Playback {
+    actions: Vec<String>,
+    states: Vec<State>,
+    at: usize,
+    playing: bool,
+}
+
+impl Playback {
+    /// Begins a plan at its first state, playing; `None` when it has no action or its states do not fit them.
+    pub fn begin(plan: &PlanText) -> Option<Playback> {
+        if plan.actions.is_empty() || plan.states.len() != plan.actions.len() + 1 {
+            return None;
+        }
+        Some(Playback {
+            actions: plan.actions.clone(),
+            states: plan.states.clone(),
+            at: 0,
+            playing: true,
+        })
+    }
+
+    /// The state shown; `None` is impossible while the invariant holds.
+    pub fn shown(&self) -> Option<&State> {
+        self.states.get(self.at)
+    }
+
+    /// The state that the plan begins in.
+    pub fn first(&self) -> Option<&State> {
+        self.states.first()
+    }
+
+    /// The state that the plan ends in.
+    pub fn last(&self) -> Option<&State> {
+        self.states.last()
+    }
+
+    /// How many actions have been taken.
+    pub fn at(&self) -> usize {
+        self.at
+    }
+
+    /// How many actions there are.
+    pub fn steps(&self) -> usize {
+        self.actions.len()
+    }
+
+    /// The actions, in order.
+    pub fn actions(&self) -> &[String] {
+        &self.actions
+    }
+
+    /// The action that led to the state shown.
+    pub fn latest(&self) -> Option<&str> {
+        self.actions.get(self.at.checked_sub(1)?).map(String::as_str)
+    }
+
+    /// Whether it goes on by itself.
+    pub fn playing(&self) -> bool {
+        self.playing
+    }
+
+    /// Whether the last state is shown.
+    pub fn ended(&self) -> bool {
+        self.at == self.actions.len()
+    }
+
+    /// Goes to a step, or the last one if there are fewer, and pauses.
+    pub fn seek(&mut self, step: usize) {
+        self.at = step.min(self.actions.len());
+        self.playing = false;
+    }
+
+    /// Plays from here, from the start when it has ended.
+    pub fn play(&mut self) {
+        if self.ended() {
+            self.at = 0;
+        }
+        self.playing = true;
+    }
+
+    /// Pauses.
+    pub fn pause(&mut self) {
+        self.playing = false;
+    }
+
+    /// Takes one step while playing; stops playing at the end.
+    pub fn advance(&mut self) {
+        if self.playing && !self.ended() {
+            self.at += 1;
+        }
+        self.playing = self.playing && !self.ended();
+    }
+}

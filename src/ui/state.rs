@@ -1,0 +1,430 @@
+//! The page's state and its one reducer: `reduce(state, action)` changes the state and returns what is to be
+//! done. Pure: no browser, no clock. Nothing that is loaded is lost but by being replaced with a good one.
+
+use super::action::{Action, Effect, Preferences, Timer};
+use super::corpus::{Corpus, DEMO, DEMO_NAME, SMALL};
+use super::engine::{Engine, Health};
+use super::files::{self, Kind};
+use super::playback::{Playback, STEP_MS};
+use super::world::World;
+use super::{describe, why};
+use crate::domain::State as WorldState;
+use crate::worker::protocol::{
+    Answer, Envelope, Event, PlanText, Problem, Progress, Request, TrainReport, TrainSettings,
+    VERSION,
+};
+use std::rc::Rc;
+
+/// The paper's settings, which the page trains with.
+pub const SETTINGS: TrainSettings =
+    TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
+
+/// All that the page knows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// The engine.
+    pub engine: Engine,
+    /// The corpus that is open.
+    pub corpus: Option<Corpus>,
+    /// What is wrong with the file that was opened last: words, and problems by line.
+    pub file_notice: Option<FileNotice>,
+    /// How far training is, while it runs.
+    pub progress: Option<Progress>,
+    /// The model, once there is one, and where it came from.
+    pub model: Option<Model>,
+    /// What came of training or of opening a model, when it is not a model.
+    pub model_notice: Option<String>,
+    /// What stands in the command box.
+    pub command: String,
+    /// What the last command came to.
+    pub answer: Option<Rc<Answer>>,
+    /// Why the last command was not answered at all.
+    pub ask_notice: Option<String>,
+    /// The world.
+    pub world: World,
+    /// The plan that is played in it.
+    pub playback: Option<Playback>,
+    /// What a screen reader is told.
+    pub announcement: String,
+    /// What the person prefers.
+    pub preferences: Preferences,
+    play: u32,
+}
+
+/// A model, and the name of what it was trained on or opened from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Model {
+    /// What the engine says of it.
+    pub report: Rc<TrainReport>,
+    /// The corpus that it was trained on, or the file that it came from.
+    pub origin: String,
+}
+
+/// What is wrong with a file that was offered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileNotice {
+    /// In words.
+    pub message: String,
+    /// By line and column.
+    pub problems: Vec<Problem>,
+}
+
+impl State {
+    /// A page that has not opened yet.
+    pub fn new() -> State {
+        State {
+            engine: Engine::starting(),
+            corpus: None,
+            file_notice: None,
+            progress: None,
+            model: None,
+            model_notice: None,
+            command: String::new(),
+            answer: None,
+            ask_notice: None,
+            world: World::open(0).unwrap_or_else(World::empty),
+            playback: None,
+            announcement: String::new(),
+            preferences: Preferences::default(),
+            play: 0,
+        }
+    }
+
+    /// The state of the world that is shown: a step of the plan, or the world itself.
+    pub fn shown(&self) -> &WorldState {
+        self.playback.as_ref().and_then(Playback::shown).unwrap_or(&self.world.current)
+    }
+
+    /// Whether a command can be sent.
+    pub fn can_ask(&self) -> bool {
+        self.model.is_some() && self.engine.health == Health::Ready && !self.engine.training()
+    }
+
+    /// Whether training can begin.
+    pub fn can_train(&self) -> bool {
+        let rows = self.corpus.as_ref().map_or(0, |c| c.report.rows.len());
+        rows > 0 && self.engine.health == Health::Ready && !self.engine.training()
+    }
+
+    fn say(&mut self, words: impl Into<String>) {
+        self.announcement = words.into();
+    }
+
+    /// The world goes on from what is shown; no plan is left.
+    fn settle(&mut self) {
+        if let Some(playback) = self.playback.take() {
+            let shown = playback.shown().cloned();
+            self.world.current = shown.unwrap_or_else(|| self.world.current.clone());
+        }
+        self.play = self.play.wrapping_add(1);
+    }
+
+    fn tick(&mut self, effects: &mut Vec<Effect>) {
+        self.play = self.play.wrapping_add(1);
+        effects.push(Effect::StartTimer(Timer::Play(self.play), STEP_MS));
+    }
+}
+
+impl Default for State {
+    fn default() -> State {
+        State::new()
+    }
+}
+
+/// Changes the state as the action says, and returns what is to be done.
+pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
+    let mut effects = Vec::new();
+    match action {
+        Action::Prefers(preferences) => state.preferences = preferences,
+        Action::Opened => {
+            effects.push(Effect::SpawnEngine);
+            read_corpus(state, DEMO_NAME.to_owned(), DEMO.to_owned(), &mut effects);
+        }
+        Action::Heard(envelope) => heard(state, envelope, &mut effects),
+        Action::EngineBroke(why) => stopped(state, why),
+        Action::Rang(Timer::Watch(watch)) => {
+            if state.engine.look(watch, &mut effects) {
+                stopped(state, "It has not answered for some seconds.".to_owned());
+            }
+        }
+        Action::Rang(Timer::Play(play)) if play == state.play => advance(state, &mut effects),
+        Action::Rang(Timer::Play(_)) => {}
+        Action::RestartEngine => restart(state, &mut effects),
+
+        Action::FileRead { name, text } => match files::kind(&name, &text) {
+            Kind::Corpus => read_corpus(state, name, text, &mut effects),
+            Kind::Model => {
+                state.model_notice = None;
+                state.engine.send(Request::OpenModel { text }, true, &mut effects);
+            }
+        },
+        Action::FileRefused(message) => {
+            state.say(message.clone());
+            state.file_notice = Some(FileNotice { message, problems: Vec::new() });
+        }
+        Action::OpenDemo => {
+            read_corpus(state, DEMO_NAME.to_owned(), DEMO.to_owned(), &mut effects);
+        }
+        Action::ToggleRow(row) => toggle_row(state, row, &mut effects),
+        Action::MoreRows => state.corpus.iter_mut().for_each(Corpus::more),
+        Action::SaveCorpus => effects.extend(state.corpus.as_ref().map(|corpus| Effect::Save {
+            name: corpus.report.name.clone(),
+            text: corpus.text.clone(),
+        })),
+
+        Action::Train => {
+            if state.can_train() {
+                state.model_notice = None;
+                state.progress = None;
+                state.say("Training has begun.");
+                state.engine.send(Request::Train { settings: SETTINGS }, true, &mut effects);
+            }
+        }
+        Action::CancelTraining => cancel_training(state, &mut effects),
+        Action::SaveModel => effects.extend(state.model.as_ref().map(|model| Effect::Save {
+            name: "groundling.model".to_owned(),
+            text: model.report.model.clone(),
+        })),
+
+        Action::Typed(command) => state.command = command,
+        Action::Ask => ask(state, &mut effects),
+        Action::AskExample(command) => {
+            state.command = command;
+            ask(state, &mut effects);
+        }
+
+        Action::PickWorld(choice) => {
+            if let Some(world) = World::open(choice) {
+                state.settle();
+                state.answer = None;
+                state.world = world;
+                state.say(describe::world(&state.world.current));
+            }
+        }
+        Action::ResetWorld => {
+            if let Some(start) = World::open(state.world.choice) {
+                state.settle();
+                let from = state.world.current.clone();
+                state.world.change(from, start.current);
+                state.say(format!("The world is as it began. {}", describe::robot(state.shown())));
+            }
+        }
+        Action::Undo => {
+            state.settle();
+            if state.world.undo() {
+                state.say(format!("Undone. {}", describe::robot(state.shown())));
+            }
+        }
+
+        Action::TogglePlay => toggle_play(state, &mut effects),
+        Action::Seek(step) => {
+            if let Some(playback) = &mut state.playback {
+                playback.seek(step);
+                state.play = state.play.wrapping_add(1);
+                say_step(state);
+            }
+        }
+    }
+    effects
+}
+
+fn read_corpus(state: &mut State, name: String, text: String, effects: &mut Vec<Effect>) {
+    state.file_notice = None;
+    state.engine.retain(|r| !matches!(r, Request::ShowRow { .. } | Request::ReadCorpus { .. }));
+    state.engine.send(Request::ReadCorpus { name, text }, false, effects);
+}
+
+fn toggle_row(state: &mut State, row: usize, effects: &mut Vec<Effect>) {
+    let Some(corpus) = &mut state.corpus else { return };
+    corpus.open = (corpus.open != Some(row)).then_some(row);
+    if corpus.open.is_some() && !corpus.pairs.contains_key(&row) {
+        state.engine.send(Request::ShowRow { row }, false, effects);
+    }
+}
+
+fn cancel_training(state: &mut State, effects: &mut Vec<Effect>) {
+    state.engine.retain(|r| !matches!(r, Request::Train { .. }));
+    let at_work = state.engine.pending.as_ref();
+    if at_work.is_some_and(|p| matches!(p.request, Request::Train { .. })) {
+        state.engine.cancel(effects);
+    }
+}
+
+fn ask(state: &mut State, effects: &mut Vec<Effect>) {
+    if !state.can_ask() {
+        return;
+    }
+    state.settle();
+    state.ask_notice = None;
+    state.engine.retain(|r| !matches!(r, Request::Ask { .. }));
+    let (command, world) = (state.command.clone(), state.world.current.clone());
+    state.engine.send(Request::Ask { command, state: world, pull: false }, true, effects);
+}
+
+/// A new engine knows nothing: it is given the corpus and the model again.
+fn restart(state: &mut State, effects: &mut Vec<Effect>) {
+    state.engine = Engine::starting();
+    state.progress = None;
+    effects.push(Effect::SpawnEngine);
+    let (name, text) = match &state.corpus {
+        Some(corpus) => (corpus.report.name.clone(), corpus.text.clone()),
+        None => (DEMO_NAME.to_owned(), DEMO.to_owned()),
+    };
+    state.engine.send(Request::ReadCorpus { name, text }, false, effects);
+    if let Some(model) = &state.model {
+        let text = model.report.model.clone();
+        state.engine.send(Request::OpenModel { text }, false, effects);
+    }
+    state.say("The engine is being started again.");
+}
+
+fn stopped(state: &mut State, why: String) {
+    state.engine.stop(why);
+    state.progress = None;
+    state.say("The engine has stopped. What you loaded is kept; it can be started again.");
+}
+
+fn heard(state: &mut State, envelope: Envelope<Event>, effects: &mut Vec<Effect>) {
+    if envelope.groundling != VERSION {
+        let why = "Page and engine are of different versions. Load the page again.";
+        return stopped(state, why.to_owned());
+    }
+    if matches!(state.engine.health, Health::Stopped(_)) {
+        return;
+    }
+    state.engine.heard();
+    let id = envelope.id;
+    match envelope.body {
+        Event::Ready => state.engine.ready(effects),
+        Event::Pong => {}
+        Event::Crashed { message } => stopped(state, message),
+        Event::Progress(progress) => {
+            if state.engine.pending.as_ref().is_some_and(|p| p.id == id) {
+                state.progress = Some(progress);
+            }
+        }
+        end => {
+            if let Some(request) = state.engine.finish(id, effects) {
+                finished(state, request, end, effects);
+            }
+        }
+    }
+}
+
+fn finished(state: &mut State, request: Request, event: Event, effects: &mut Vec<Effect>) {
+    if matches!(request, Request::Train { .. }) {
+        state.progress = None;
+    }
+    match (event, request) {
+        (Event::Corpus(report), Request::ReadCorpus { text, .. }) => {
+            opened_corpus(state, Corpus::new(report, text), effects);
+        }
+        (Event::Row { row, pairs }, _) => {
+            if let Some(corpus) = &mut state.corpus {
+                corpus.pairs.insert(row, Rc::new(pairs));
+            }
+        }
+        (Event::Trained(report), request) => {
+            let corpus = state.corpus.as_ref().map(|c| c.report.name.clone());
+            let before = state.model.take().filter(|m| m.report.model == report.model);
+            let origin = match (request, before) {
+                (Request::Train { .. }, _) => corpus.unwrap_or_default(),
+                (_, Some(same)) => same.origin,
+                _ => "a model file".to_owned(),
+            };
+            state.say(format!(
+                "Trained: {} of {} commands have a valid meaning. Type a command.",
+                report.valid, report.examples
+            ));
+            state.model_notice = None;
+            state.model = Some(Model { report: Rc::new(report), origin });
+        }
+        (Event::Answer(answer), Request::Ask { .. }) => answered(state, *answer, effects),
+        (Event::Refused { message }, request) => refused(state, request, message),
+        (Event::Cancelled, Request::Train { .. }) => {
+            let words = "Training was stopped. What was there before is as it was.";
+            state.model_notice = Some(words.to_owned());
+            state.say(words);
+        }
+        _ => {}
+    }
+}
+
+fn opened_corpus(state: &mut State, corpus: Corpus, effects: &mut Vec<Effect>) {
+    let report = corpus.report.clone();
+    if report.rows.is_empty() {
+        let message =
+            format!("No row of {} can be used. What was open before is still open.", report.name);
+        state.say(message.clone());
+        state.file_notice = Some(FileNotice { message, problems: report.problems.clone() });
+        return;
+    }
+    state.say(format!("{} is open: {} commands.", report.name, report.rows.len()));
+    state.file_notice = None;
+    state.corpus = Some(corpus);
+    if report.rows.len() <= SMALL {
+        for row in 0..report.rows.len() {
+            state.engine.send(Request::ShowRow { row }, false, effects);
+        }
+    }
+}
+
+fn refused(state: &mut State, request: Request, message: String) {
+    state.say(message.clone());
+    match request {
+        Request::ReadCorpus { .. } => {
+            state.file_notice = Some(FileNotice { message, problems: Vec::new() });
+        }
+        Request::Train { .. } | Request::OpenModel { .. } => state.model_notice = Some(message),
+        Request::Ask { .. } => state.ask_notice = Some(message),
+        Request::ShowRow { .. } | Request::Ping | Request::Cancel => {}
+    }
+}
+
+fn answered(state: &mut State, answer: Answer, effects: &mut Vec<Effect>) {
+    state.settle();
+    state.playback = answer.plan.as_ref().and_then(|plan: &PlanText| Playback::begin(plan));
+    let ends = state.playback.as_ref().and_then(|p| Some((p.first()?.clone(), p.last()?.clone())));
+    if let Some((first, last)) = ends {
+        state.world.change(first, last);
+        state.tick(effects);
+    }
+    let messages = why::explain(&answer);
+    state.say(match (messages.first(), &state.playback) {
+        (Some(message), _) => format!("{} {}", message.what, message.fix),
+        (None, Some(plan)) => format!("Understood. The plan has {} steps.", plan.steps()),
+        (None, None) => "Understood.".to_owned(),
+    });
+    state.answer = Some(Rc::new(answer));
+}
+
+fn advance(state: &mut State, effects: &mut Vec<Effect>) {
+    let Some(playback) = &mut state.playback else { return };
+    playback.advance();
+    if playback.playing() {
+        state.tick(effects);
+    } else if playback.ended() {
+        let steps = playback.steps();
+        let words = format!("Done in {steps} steps. {}", describe::robot(state.shown()));
+        state.say(words);
+    }
+}
+
+fn toggle_play(state: &mut State, effects: &mut Vec<Effect>) {
+    let Some(playback) = &mut state.playback else { return };
+    if playback.playing() {
+        playback.pause();
+        state.play = state.play.wrapping_add(1);
+    } else {
+        playback.play();
+        state.tick(effects);
+    }
+}
+
+fn say_step(state: &mut State) {
+    let Some(playback) = &state.playback else { return };
+    let action = playback.latest().unwrap_or("start");
+    let step = format!("Step {} of {}: {action}.", playback.at(), playback.steps());
+    let words = format!("{step} {}", describe::robot(state.shown()));
+    state.say(words);
+}

@@ -1,0 +1,125 @@
+//! Carries effects out: the worker, timers and downloads. The worker is web-sys's own and not gloo-worker's,
+//! since the page must be able to end an engine that no longer answers and start another.
+
+use crate::ui::{Action, Effect};
+use crate::worker::protocol::{Envelope, Event};
+use gloo_timers::callback::Timeout;
+use wasm_bindgen::prelude::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, MessageEvent, Url, Worker};
+use web_sys::{WorkerOptions, WorkerType};
+use yew::Callback;
+
+/// The engine's script, beside the page: its address is made from the document's base, so that it is found
+/// under any path.
+const SCRIPT: &str = "engine.js";
+
+/// Carries effects out, and tells the page what comes of them.
+pub(super) struct Effects {
+    act: Callback<Action>,
+    engine: Option<Engine>,
+}
+
+/// A live worker with its listeners.
+struct Engine {
+    worker: Worker,
+    _message: Closure<dyn FnMut(MessageEvent)>,
+    _error: Closure<dyn FnMut(web_sys::Event)>,
+}
+
+impl Drop for Engine {
+    fn drop(&mut self) {
+        self.worker.set_onmessage(None);
+        self.worker.set_onerror(None);
+        self.worker.terminate();
+    }
+}
+
+impl Effects {
+    /// Results go to `act`.
+    pub(super) fn new(act: Callback<Action>) -> Effects {
+        Effects { act, engine: None }
+    }
+
+    /// Carries effects out, in order.
+    pub(super) fn run(&mut self, effects: Vec<Effect>) {
+        for effect in effects {
+            if let Err(error) = self.carry_out(effect) {
+                self.act.emit(Action::EngineBroke(words(&error)));
+            }
+        }
+    }
+
+    fn carry_out(&mut self, effect: Effect) -> Result<(), JsValue> {
+        match effect {
+            Effect::SpawnEngine => {
+                self.engine = None;
+                self.engine = Some(spawn(&self.act)?);
+            }
+            Effect::Post(envelope) => {
+                let text = serde_json::to_string(&envelope)
+                    .map_err(|error| JsValue::from_str(&error.to_string()))?;
+                if let Some(engine) = &self.engine {
+                    engine.worker.post_message(&JsValue::from_str(&text))?;
+                }
+            }
+            Effect::StartTimer(timer, ms) => {
+                let act = self.act.clone();
+                Timeout::new(ms, move || act.emit(Action::Rang(timer))).forget();
+            }
+            Effect::Save { name, text } => save(&name, &text)?,
+        }
+        Ok(())
+    }
+}
+
+fn spawn(act: &Callback<Action>) -> Result<Engine, JsValue> {
+    let window = web_sys::window().ok_or("no window")?;
+    let base = window.document().ok_or("no document")?.base_uri()?.ok_or("no base address")?;
+    let url = Url::new_with_base(SCRIPT, &base)?;
+    let options = WorkerOptions::new();
+    options.set_type(WorkerType::Module);
+    let worker = Worker::new_with_options(&url.href(), &options)?;
+
+    let heard = act.clone();
+    let message = Closure::new(move |event: MessageEvent| {
+        let text = event.data().as_string().unwrap_or_default();
+        heard.emit(match serde_json::from_str::<Envelope<Event>>(&text) {
+            Ok(envelope) => Action::Heard(envelope),
+            Err(error) => {
+                Action::EngineBroke(format!("The engine sent a message that is none: {error}."))
+            }
+        });
+    });
+    worker.set_onmessage(Some(message.as_ref().unchecked_ref()));
+
+    let broke = act.clone();
+    let error = Closure::new(move |event: web_sys::Event| {
+        let detail = event.dyn_ref::<web_sys::ErrorEvent>().map(|e| e.message());
+        let detail = detail.filter(|m| !m.is_empty());
+        broke.emit(Action::EngineBroke(
+            detail.unwrap_or_else(|| "The engine's files could not be loaded.".to_owned()),
+        ));
+    });
+    worker.set_onerror(Some(error.as_ref().unchecked_ref()));
+    Ok(Engine { worker, _message: message, _error: error })
+}
+
+fn save(name: &str, text: &str) -> Result<(), JsValue> {
+    let parts = js_sys::Array::of1(&JsValue::from_str(text));
+    let kind = BlobPropertyBag::new();
+    kind.set_type("text/plain;charset=utf-8");
+    let blob = Blob::new_with_str_sequence_and_options(&parts, &kind)?;
+    let url = Url::create_object_url_with_blob(&blob)?;
+    let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
+    let link: HtmlAnchorElement = document.create_element("a")?.unchecked_into();
+    link.set_href(&url);
+    link.set_download(name);
+    link.click();
+    Url::revoke_object_url(&url)
+}
+
+fn words(error: &JsValue) -> String {
+    let message = error.dyn_ref::<js_sys::Error>().map(|e| String::from(e.message()));
+    message.or_else(|| error.as_string()).unwrap_or_else(|| format!("{error:?}"))
+}

@@ -1,0 +1,57 @@
+//! Files: choosing and dropping them. What they are is decided in `ui::files`.
+
+use crate::ui::{Action, files};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{Event, File, FileList, HtmlInputElement};
+use yew::{AttrValue, Callback, Html, Properties, TargetCast, component, html};
+
+#[derive(PartialEq, Properties)]
+pub(super) struct Props {
+    pub(super) id: AttrValue,
+    pub(super) label: AttrValue,
+    pub(super) accept: AttrValue,
+    #[prop_or_default]
+    pub(super) hint: Option<AttrValue>,
+    pub(super) act: Callback<Action>,
+}
+
+/// A file to choose: the label is the button, the input itself is unseen but takes the focus.
+#[component]
+pub(super) fn OpenFile(props: &Props) -> Html {
+    let act = props.act.clone();
+    let chosen = Callback::from(move |event: Event| {
+        let Some(input) = event.target_dyn_into::<HtmlInputElement>() else { return };
+        read_all(input.files(), &act);
+        // The same file can then be chosen again after it was mended.
+        input.set_value("");
+    });
+    html! {
+        <p class="open-file">
+            <input class="unseen" type="file" id={props.id.clone()} data-testid={props.id.clone()}
+                accept={props.accept.clone()} onchange={chosen} />
+            <label class="plain" for={props.id.clone()}>{ &props.label }</label>
+            if let Some(hint) = &props.hint { <span class="dim">{ hint }</span> }
+        </p>
+    }
+}
+
+/// Reads the first of the files given and tells the page.
+pub(super) fn read_all(files: Option<FileList>, act: &Callback<Action>) {
+    let Some(file) = files.and_then(|list| list.get(0)) else { return };
+    let act = act.clone();
+    spawn_local(async move {
+        act.emit(match read(&file).await {
+            Ok(text) => Action::FileRead { name: file.name(), text },
+            Err(words) => Action::FileRefused(words),
+        });
+    });
+}
+
+async fn read(file: &File) -> Result<String, String> {
+    let name = file.name();
+    files::admit(&name, file.size())?;
+    let buffer = JsFuture::from(file.array_buffer()).await.map_err(|_| {
+        format!("{name} could not be read. See whether it is still there, then choose it again.")
+    })?;
+    files::decode(&name, js_sys::Uint8Array::new(&buffer).to_vec())
+}

@@ -1,0 +1,83 @@
+//! The browser around the page: its elements, what the person prefers, and the crash panel, which is plain HTML
+//! that the boot script fills, so that it works when the program itself is gone.
+
+use crate::render::Theme;
+use crate::ui::action::Preferences;
+use std::sync::Once;
+use wasm_bindgen::prelude::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::{CustomEvent, CustomEventInit, Element, MediaQueryList};
+use yew::Callback;
+
+/// The event that the boot script shows the crash panel on; its detail is the message.
+const CRASHED: &str = "groundling:crashed";
+
+const REDUCED_MOTION: &str = "(prefers-reduced-motion: reduce)";
+const DARK: &str = "(prefers-color-scheme: dark)";
+
+/// An element by its id.
+pub(super) fn element(id: &str) -> Option<Element> {
+    web_sys::window()?.document()?.get_element_by_id(id)
+}
+
+/// What the person prefers.
+pub(super) fn preferences() -> Preferences {
+    let holds = |query| media(query).is_some_and(|m| m.matches());
+    let theme = if holds(DARK) { Theme::Dark } else { Theme::Light };
+    Preferences { reduced_motion: holds(REDUCED_MOTION), theme }
+}
+
+/// Calls back whenever the person comes to prefer something else, as long as the page lives.
+pub(super) fn watch_preferences(changed: &Callback<Preferences>) {
+    for list in [REDUCED_MOTION, DARK].into_iter().filter_map(media) {
+        let changed = changed.clone();
+        let listener = Closure::<dyn FnMut()>::new(move || changed.emit(preferences()));
+        list.set_onchange(Some(listener.as_ref().unchecked_ref()));
+        listener.forget();
+        // A list that nobody holds may be collected, and its listener with it.
+        std::mem::forget(list);
+    }
+}
+
+fn media(query: &str) -> Option<MediaQueryList> {
+    web_sys::window().and_then(|w| w.match_media(query).ok()).flatten()
+}
+
+/// Device pixels a CSS pixel.
+pub(super) fn pixel_ratio() -> f64 {
+    web_sys::window().map_or(1.0, |w| w.device_pixel_ratio())
+}
+
+/// Milliseconds since the page began.
+pub(super) fn now() -> f64 {
+    web_sys::window().and_then(|w| w.performance()).map_or(0.0, |p| p.now())
+}
+
+/// Calls back before the next frame is drawn.
+pub(super) fn next_frame(callback: impl FnOnce() + 'static) {
+    if let Some(window) = web_sys::window() {
+        let callback = Closure::once_into_js(callback);
+        // A window that draws no frames shows none.
+        let _ = window.request_animation_frame(callback.unchecked_ref());
+    }
+}
+
+/// Shows a message in the crash panel.
+pub(super) fn report(message: &str) {
+    let init = CustomEventInit::new();
+    init.set_detail(&JsValue::from_str(message));
+    let event = CustomEvent::new_with_event_init_dict(CRASHED, &init);
+    if let (Some(window), Ok(event)) = (web_sys::window(), event) {
+        // A failure here leaves nobody to tell.
+        let _ = window.dispatch_event(&event);
+    }
+}
+
+/// From now on a panic is shown in words; the first one is the one kept.
+pub(super) fn report_panics() {
+    static FIRST: Once = Once::new();
+    std::panic::set_hook(Box::new(|info| {
+        let message = info.to_string();
+        FIRST.call_once(|| report(&message));
+    }));
+}

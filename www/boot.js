@@ -1,0 +1,50 @@
+// Starts the program, and stays behind to tell the person when it cannot start or has died: the program itself
+// can no longer do so then. The first message is the one kept, since later ones follow from it.
+
+const byId = (id) => document.getElementById(id);
+let crashed = false;
+
+function crash(message) {
+  if (crashed) return;
+  crashed = true;
+  byId("crash-report").textContent = `${message}\n\n${navigator.userAgent}`;
+  byId("crash").hidden = false;
+  byId("crash-restart").focus();
+}
+
+function words(error) {
+  return error instanceof Error ? `${error.name}: ${error.message}` : String(error);
+}
+
+byId("crash-restart").addEventListener("click", () => location.reload());
+byId("crash-copy").addEventListener("click", async () => {
+  const report = byId("crash-report");
+  try {
+    await navigator.clipboard.writeText(report.textContent);
+    byId("crash-copy").textContent = "Copied";
+  } catch {
+    getSelection().selectAllChildren(report);
+  }
+});
+
+addEventListener("groundling:crashed", (event) => crash(event.detail));
+addEventListener("error", (event) => {
+  if (event.error instanceof WebAssembly.RuntimeError) crash(words(event.error));
+});
+addEventListener("unhandledrejection", (event) => {
+  if (event.reason instanceof WebAssembly.RuntimeError) crash(words(event.reason));
+});
+
+async function start() {
+  if (typeof WebAssembly !== "object") {
+    throw new Error(
+      "This browser has no WebAssembly, or it is switched off. A current Firefox, Chrome, Edge or Safari has it.",
+    );
+  }
+  const { href: script } = document.querySelector("link[data-app=script]");
+  const { href: program } = document.querySelector("link[data-app=program]");
+  const app = await import(script);
+  await app.default({ module_or_path: program });
+}
+
+start().catch((error) => crash(`The program could not be started. ${words(error)}`));
