@@ -31,3 +31,5 @@ mod planning;
 mod demonstration;
 #[path = "suite/ui.rs"]
 mod ui;
+#[path = "suite/plan_command.rs"]
+mod plan_command;

@@ -108,7 +108,10 @@ impl<'a> Ground<'a> {
             for &direction in Direction::ALL {
                 for (moved, other, is_first) in [(first, second, true), (second, first, false)] {
                     let before = self.next(moved, direction);
-                    if before != NOWHERE && before != other && self.is_open(moved) {
+                    // To push it from there, the robot must stand behind it.
+                    let can_move =
+                        before != NOWHERE && (self.pull || self.next(before, direction) != NOWHERE);
+                    if can_move && before != other && self.is_open(moved) {
                         let (a, b) = if is_first { (before, other) } else { (other, before) };
                         search.reach(a, b);
                     }
