@@ -123,12 +123,13 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// Fills a chart over `words` words.
+    /// Fills a chart over `words` words. Edges that `admit` refuses are left out.
     pub fn fill(
         grammar: &mut Grammar,
         words: usize,
         lexical: Vec<Lexical>,
         rule_score: impl Fn(RuleId) -> f64,
+        admit: impl FnMut(&Grammar, Category) -> bool,
         config: ChartConfig,
     ) -> Chart {
         let spans = vec![Span::default(); words * (words + 1)];
@@ -145,8 +146,8 @@ impl Chart {
         for (index, item) in (0..).zip(&chart.lexical) {
             items[item.start * (words + 1) + item.end].push(index);
         }
-        let (cell, known) = (Vec::new(), FxHashMap::default());
-        let mut filling = Filling { chart, grammar, rule_score, config, items, cell, known };
+        let cell = Cell { edges: Vec::new(), known: FxHashMap::default(), admit };
+        let mut filling = Filling { chart, grammar, rule_score, config, items, cell };
         for width in 1..=words {
             for start in 0..=words - width {
                 filling.span(start, start + width);
@@ -187,25 +188,41 @@ impl Chart {
 }
 
 /// A chart while it is filled, with the cell at work.
-struct Filling<'a, F> {
+struct Filling<'a, F, A> {
     chart: Chart,
     grammar: &'a mut Grammar,
     rule_score: F,
     config: ChartConfig,
     /// The lexical items of each span.
     items: Vec<Vec<u32>>,
-    cell: Vec<Edge>,
-    known: FxHashMap<(Category, Made), u32>,
+    cell: Cell<A>,
 }
 
-impl<F: Fn(RuleId) -> f64> Filling<'_, F> {
+/// The edges of the span at work, by category and how they were made.
+struct Cell<A> {
+    edges: Vec<Edge>,
+    /// The place of an edge among them, or `NONE` for one that is not admitted.
+    known: FxHashMap<(Category, Made), u32>,
+    admit: A,
+}
+
+/// A derivation on its way into a cell.
+struct Found {
+    category: Category,
+    made: Made,
+    score: f64,
+    step: Step,
+    split: u32,
+}
+
+impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, Category) -> bool> Filling<'_, F, A> {
     fn span(&mut self, start: usize, end: usize) {
-        self.cell.clear();
-        self.known.clear();
+        self.cell.known.clear();
         let items = std::mem::take(&mut self.items[start * (self.chart.words + 1) + end]);
         for index in items {
-            let item = self.chart.lexical[index as usize];
-            self.add(item.category, Made::Plainly, item.score, Step::Lexical(index), start);
+            let Lexical { category, score, .. } = self.chart.lexical[index as usize];
+            let step = Step::Lexical(index);
+            self.add(Found { category, made: Made::Plainly, score, step, split: start as u32 });
         }
         for split in start + 1..end {
             self.join(start, split, end);
@@ -216,78 +233,52 @@ impl<F: Fn(RuleId) -> f64> Filling<'_, F> {
         self.store(first, start, end);
     }
 
+    fn add(&mut self, found: Found) {
+        let others = self.config.all_derivations.then_some(&mut self.chart.others);
+        self.cell.add(self.grammar, others, found);
+    }
+
     /// All pairs of neighbours that a rule combines.
     fn join(&mut self, start: usize, split: usize, end: usize) {
-        let n_left = self.chart.at(start, split).groups.len();
-        let n_right = self.chart.at(split, end).groups.len();
-        for left in 0..n_left {
-            for right in 0..n_right {
-                let left_syntax = self.chart.at(start, split).groups[left].0;
-                let right_syntax = self.chart.at(split, end).groups[right].0;
-                if self.grammar.rows(left_syntax, right_syntax).is_empty() {
-                    continue;
-                }
-                let rows = self.grammar.rows(left_syntax, right_syntax).to_vec();
-                let lefts = self.chart.at(start, split).groups[left].1.clone();
-                let rights = self.chart.at(split, end).groups[right].1.clone();
-                for (rule, syntax) in rows {
-                    let own = (self.rule_score)(rule);
-                    for &l in &lefts {
-                        for &r in &rights {
-                            self.combine(rule, syntax, own, (l, r), split);
+        let Filling { chart, grammar, rule_score, config, cell, .. } = self;
+        let Chart { spans, edges, others, tried, over_budget, words, .. } = chart;
+        let (lefts, rights) =
+            (&spans[start * (*words + 1) + split], &spans[split * (*words + 1) + end]);
+        for (left_syntax, lefts) in &lefts.groups {
+            for (right_syntax, rights) in &rights.groups {
+                for row in 0..grammar.rows(*left_syntax, *right_syntax).len() {
+                    let (rule, syntax) = grammar.rows(*left_syntax, *right_syntax)[row];
+                    let own = rule_score(rule);
+                    for &l in lefts {
+                        let left = edges[l as usize];
+                        for &r in rights {
+                            let right = edges[r as usize];
+                            if !rule.admits(left.made, right.made) {
+                                continue;
+                            }
+                            if *tried >= config.budget {
+                                *over_budget = true;
+                                return;
+                            }
+                            *tried += 1;
+                            let (f, g) = (left.category.meaning, right.category.meaning);
+                            let Some(meaning) = grammar.combine(rule, f, g, config.allow_vacuous)
+                            else {
+                                continue;
+                            };
+                            let found = Found {
+                                category: Category { syntax, meaning },
+                                made: rule.makes(),
+                                score: left.score + right.score + own,
+                                step: Step::Binary { rule, left: l, right: r },
+                                split: split as u32,
+                            };
+                            let others = config.all_derivations.then_some(&mut *others);
+                            cell.add(grammar, others, found);
                         }
                     }
                 }
             }
-        }
-    }
-
-    fn combine(
-        &mut self,
-        rule: RuleId,
-        syntax: SyntaxId,
-        own: f64,
-        (l, r): (u32, u32),
-        split: usize,
-    ) {
-        let (left, right) = (*self.chart.edge(l), *self.chart.edge(r));
-        if !rule.admits(left.made, right.made) {
-            return;
-        }
-        if self.chart.tried >= self.config.budget {
-            self.chart.over_budget = true;
-            return;
-        }
-        self.chart.tried += 1;
-        let meanings = (left.category.meaning, right.category.meaning);
-        let vacuous = self.config.allow_vacuous;
-        if let Some(meaning) = self.grammar.combine(rule, meanings.0, meanings.1, vacuous) {
-            let score = left.score + right.score + own;
-            let step = Step::Binary { rule, left: l, right: r };
-            self.add(Category { syntax, meaning }, rule.makes(), score, step, split);
-        }
-    }
-
-    /// Adds a derivation to the cell: a new edge, a better way to a known one, or another way.
-    fn add(&mut self, category: Category, made: Made, score: f64, step: Step, split: usize) {
-        let split = split as u32;
-        let new = Edge { category, made, score, step, other: NONE, split };
-        let place = *self.known.entry((category, made)).or_insert(self.cell.len() as u32);
-        let Some(edge) = self.cell.get_mut(place as usize) else {
-            return self.cell.push(new);
-        };
-        let better = match score.total_cmp(&edge.score) {
-            Ordering::Greater => true,
-            Ordering::Less => false,
-            Ordering::Equal => key(step, split) < key(edge.step, edge.split),
-        };
-        let worse = if better { edge.step } else { step };
-        if better {
-            (edge.score, edge.step, edge.split) = (score, step, split);
-        }
-        if self.config.all_derivations {
-            self.chart.others.push((worse, edge.other));
-            edge.other = self.chart.others.len() as u32 - 1;
         }
     }
 
@@ -300,25 +291,28 @@ impl<F: Fn(RuleId) -> f64> Filling<'_, F> {
                 .then_with(|| x.category.compare(y.category, syntaxes, terms))
                 .then_with(|| x.made.cmp(&y.made))
         };
-        if self.cell.len() > self.config.beam {
-            self.cell.select_nth_unstable_by(self.config.beam, order);
-            self.cell.truncate(self.config.beam);
+        let edges = &mut self.cell.edges;
+        if edges.len() > self.config.beam {
+            edges.select_nth_unstable_by(self.config.beam, order);
+            edges.truncate(self.config.beam);
         }
-        self.cell.sort_unstable_by(order);
-        self.chart.edges.append(&mut self.cell);
+        edges.sort_unstable_by(order);
+        self.chart.edges.append(edges);
     }
 
     /// Shifts what was kept, at most once: what comes out stands behind it, beyond the beam.
     fn shift(&mut self, first: u32, start: usize) {
-        self.known.clear();
+        self.cell.known.clear();
         for child in first..self.chart.edges.len() as u32 {
             let edge = *self.chart.edge(child);
             for (rule, category) in self.grammar.shifts(edge.category) {
                 let score = edge.score + (self.rule_score)(rule);
-                self.add(category, Made::ByShift, score, Step::Shift { rule, child }, start);
+                let step = Step::Shift { rule, child };
+                let split = start as u32;
+                self.add(Found { category, made: Made::ByShift, score, step, split });
             }
         }
-        self.chart.edges.append(&mut self.cell);
+        self.chart.edges.append(&mut self.cell.edges);
     }
 
     /// Files the edges from `first` on by syntax.
@@ -332,6 +326,38 @@ impl<F: Fn(RuleId) -> f64> Filling<'_, F> {
             }
         }
         self.chart.spans[start * (self.chart.words + 1) + end] = span;
+    }
+}
+
+impl<A: FnMut(&Grammar, Category) -> bool> Cell<A> {
+    /// Adds a derivation: a new edge, a better way to a known one, or another way, kept if there is a place for it.
+    fn add(&mut self, grammar: &Grammar, others: Option<&mut Vec<(Step, u32)>>, found: Found) {
+        let Found { category, made, score, step, split } = found;
+        let Cell { edges, known, admit } = self;
+        let place = *known.entry((category, made)).or_insert_with(|| {
+            if !admit(grammar, category) {
+                return NONE;
+            }
+            edges.push(Edge { category, made, score, step, other: NONE, split });
+            edges.len() as u32 - 1
+        });
+        let Some(edge) = edges.get_mut(place as usize) else { return };
+        if edge.step == step {
+            return;
+        }
+        let better = match score.total_cmp(&edge.score) {
+            Ordering::Greater => true,
+            Ordering::Less => false,
+            Ordering::Equal => key(step, split) < key(edge.step, edge.split),
+        };
+        let worse = if better { edge.step } else { step };
+        if better {
+            (edge.score, edge.step, edge.split) = (score, step, split);
+        }
+        if let Some(others) = others {
+            others.push((worse, edge.other));
+            edge.other = others.len() as u32 - 1;
+        }
     }
 }
 

@@ -4,7 +4,7 @@
 use super::category::Category;
 use super::chart::{Chart, Step};
 use super::combinator::RuleId;
-use super::features::{Feature, Vector, root_features};
+use super::features::{Feature, root_features};
 use super::lexicon::EntryId;
 use super::model::Model;
 use crate::logic::{TermId, print_human};
@@ -94,28 +94,27 @@ impl Derivation {
         }
     }
 
-    /// φ of the reading that the derivation ends in.
-    pub fn features(&self, model: &mut Model, form: TermId) -> Vector {
-        let mut vector = Vector::new();
-        self.count_into(model, &mut vector);
-        for feature in root_features(&model.grammar.terms, form) {
-            model.features.count(&mut vector, feature);
-        }
-        vector
+    /// Every feature of the reading that the derivation ends in, as often as it occurs.
+    pub fn features(&self, model: &Model, form: TermId) -> Vec<Feature> {
+        let mut features = root_features(&model.grammar.terms, form);
+        self.collect_features(model, &mut features);
+        features
     }
 
-    fn count_into(&self, model: &mut Model, vector: &mut Vector) {
+    fn collect_features(&self, model: &Model, found: &mut Vec<Feature>) {
         match self {
             Derivation::Leaf { entry, skipped, .. } => {
                 let parts = model.lexicon.entry(*entry);
-                model.features.count(vector, Feature::Lexeme(parts.lexeme));
-                model.features.count(vector, Feature::Template(parts.template));
-                model.features.count(vector, Feature::Entry(*entry));
-                (0..*skipped).for_each(|_| model.features.count(vector, Feature::Skip));
+                found.extend([
+                    Feature::Lexeme(parts.lexeme),
+                    Feature::Template(parts.template),
+                    Feature::Entry(*entry),
+                ]);
+                found.extend(std::iter::repeat_n(Feature::Skip, *skipped));
             }
             Derivation::Node { rule, children, .. } => {
-                children.iter().for_each(|child| child.count_into(model, vector));
-                model.features.count(vector, Feature::Rule(*rule));
+                children.iter().for_each(|child| child.collect_features(model, found));
+                found.push(Feature::Rule(*rule));
             }
         }
     }

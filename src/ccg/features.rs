@@ -5,7 +5,7 @@ use super::combinator::RuleId;
 use super::lexicon::{EntryId, LexemeId, TemplateId};
 use crate::logic::{ConstantId, Node, TermId, Terms};
 use rustc_hash::FxHashMap;
-use std::collections::BTreeMap;
+use std::cmp::Ordering;
 
 /// What a parse can be scored by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -40,8 +40,37 @@ impl Feature {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FeatureId(u32);
 
-/// Counts by feature, scaled. A BTree, so that sums run in one order.
-pub type Vector = BTreeMap<FeatureId, f64>;
+/// φ: scaled counts by feature, in the features' order, so that sums run in one order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Vector(Vec<(FeatureId, f64)>);
+
+impl Vector {
+    /// Features and their counts, in order, each once.
+    pub fn iter(&self) -> impl Iterator<Item = (FeatureId, f64)> {
+        self.0.iter().copied()
+    }
+
+    /// ‖self − other‖₁, summed in the features' order.
+    pub fn l1_distance(&self, other: &Vector) -> f64 {
+        let (mut a, mut b) = (self.0.as_slice(), other.0.as_slice());
+        let mut sum = 0.0;
+        loop {
+            match (a, b) {
+                ([], rest) | (rest, []) => {
+                    return rest.iter().fold(sum, |sum, (_, x)| sum + x.abs());
+                }
+                ([(i, x), a_rest @ ..], [(j, y), b_rest @ ..]) => {
+                    sum += match i.cmp(j) {
+                        Ordering::Less => x.abs(),
+                        Ordering::Equal => (x - y).abs(),
+                        Ordering::Greater => y.abs(),
+                    };
+                    (a, b) = (if i <= j { a_rest } else { a }, if j <= i { b_rest } else { b });
+                }
+            }
+        }
+    }
+}
 
 /// Interned features with their weights θ, in the order they were first seen. While training, each weight has a
 /// drift beside it: the sum of its changes, each times the moment it was made. What the weight was on average
@@ -95,7 +124,7 @@ impl Features {
 
     /// θ += `by` · φ, at a moment counted from 0.
     pub fn add(&mut self, vector: &Vector, by: f64, moment: f64) {
-        for (&id, &value) in vector {
+        for (id, value) in vector.iter() {
             self.weights[id.0 as usize] += by * value;
             self.drifts[id.0 as usize] += moment * by * value;
         }
@@ -114,9 +143,17 @@ impl Features {
         vector.iter().fold(0.0, |sum, (id, value)| sum + self.weights[id.0 as usize] * value)
     }
 
-    /// Counts one occurrence.
-    pub fn count(&mut self, vector: &mut Vector, feature: Feature) {
-        *vector.entry(self.intern(feature)).or_insert(0.0) += feature.scale();
+    /// φ of what occurs, each feature as often as it does.
+    pub fn vector(&mut self, occurring: &[Feature]) -> Vector {
+        let mut counts: Vec<(FeatureId, f64)> =
+            occurring.iter().map(|&feature| (self.intern(feature), feature.scale())).collect();
+        counts.sort_by_key(|&(id, _)| id);
+        counts.dedup_by(|(next, more), (id, count)| {
+            let same = next == id;
+            *count += if same { *more } else { 0.0 };
+            same
+        });
+        Vector(counts)
     }
 
     /// All features with weight and drift, in order. Order is kept even for weights of 0: sums run in it.

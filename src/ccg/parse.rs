@@ -1,7 +1,9 @@
 //! Parsing a command with a model: its distinct readings, ranked; when there is no full parse, the parse that
 //! skips words; when there is no single answer, why.
 
+use super::category::Category;
 use super::chart::{Chart, ChartConfig, Lexical};
+use super::combinator::Grammar;
 use super::derivation::Derivation;
 use super::features::{Feature, root_features};
 use super::lexicon::EntryId;
@@ -101,16 +103,16 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
         _ => None,
     };
     if reason.is_some() {
-        let chart = Chart::fill(&mut model.grammar, 0, Vec::new(), |_| 0.0, config);
+        let chart = Chart::fill(&mut model.grammar, 0, Vec::new(), |_| 0.0, |_, _| true, config);
         return Parse { words, readings: Vec::new(), skipped: Vec::new(), reason, tried: 0, chart };
     }
     let lexical = lexical_items(model, &words);
-    let first = fill(model, &words, lexical, config);
+    let first = fill(model, &words, lexical, |_, _| true, config);
     if !first.readings.is_empty() {
         return first;
     }
     let lexical = with_skips(model, &words);
-    let mut second = fill(model, &words, lexical, config);
+    let mut second = fill(model, &words, lexical, |_, _| true, config);
     second.tried += first.tried;
     if let Some(&best) = second.readings.first() {
         second.skipped = skipped_words(model, &second.derivation(best), &words);
@@ -124,16 +126,18 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
     second
 }
 
-/// Parses words from given lexical items, whose `item` is an entry's number; no skipping.
+/// Parses words from given lexical items, whose `item` is an entry's number, without the edges that `admit`
+/// refuses; no skipping.
 pub fn fill(
     model: &mut Model,
     words: &[String],
     lexical: Vec<Lexical>,
+    admit: impl FnMut(&Grammar, Category) -> bool,
     config: ChartConfig,
 ) -> Parse {
     let features = &model.features;
     let rule_score = |rule| features.value(Feature::Rule(rule));
-    let chart = Chart::fill(&mut model.grammar, words.len(), lexical, rule_score, config);
+    let chart = Chart::fill(&mut model.grammar, words.len(), lexical, rule_score, admit, config);
     let readings = readings(model, &chart);
     let tried = chart.tried;
     let mut parse =

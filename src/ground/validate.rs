@@ -98,6 +98,23 @@ impl Validator {
         }
     }
 
+    /// Whether a phrase can be part of what was meant: a closed term of type `e` refers before each of the pairs,
+    /// a property is something's. Other terms always can.
+    pub fn denotes(&mut self, terms: &Terms, term: TermId, pairs: &[PairId]) -> bool {
+        pairs.iter().all(|&pair| self.denotes_in(terms, term, pair).unwrap_or(true))
+    }
+
+    fn denotes_in(&mut self, terms: &Terms, term: TermId, pair: PairId) -> Option<bool> {
+        let Validator { views, meanings, referents, .. } = self;
+        let (pre, post) = views.get(pair.0 as usize)?.as_ref()?;
+        let mut evaluator = Evaluator { terms, pre, post, pair, meanings, referents, steps: 0 };
+        if terms.ty(term) == crate::logic::ty::ENTITY {
+            Some(evaluator.referent(term, &mut Vec::new())?.is_some())
+        } else {
+            Some(evaluator.extension(term, Side::Pre, &mut Vec::new())? != 0)
+        }
+    }
+
     /// Forgets what is known of terms (not of pairs): when the arena changes, or memory runs short.
     pub fn forget(&mut self) {
         self.meanings.clear();

@@ -85,7 +85,7 @@ fn coarse_chart(
         }
     }
     let config = ChartConfig { all_derivations: true, allow_vacuous: true, ..config };
-    Chart::fill(&mut model.grammar, words.len(), items, |_| 0.0, config)
+    Chart::fill(&mut model.grammar, words.len(), items, |_| 0.0, |_, _| true, config)
 }
 
 /// The templates that any full parse in the chart used, with their spans, in order and once each.

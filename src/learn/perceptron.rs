@@ -18,7 +18,7 @@ pub fn update(features: &mut Features, judged: &[Judged], margin: f64, moment: f
     let mut violates = vec![false; judged.len()];
     for (v, valid) in judged.iter().enumerate().filter(|(_, reading)| reading.valid) {
         for (w, invalid) in judged.iter().enumerate().filter(|(_, reading)| !reading.valid) {
-            let distance = l1_distance(&valid.features, &invalid.features);
+            let distance = valid.features.l1_distance(&invalid.features);
             if scores[v] - scores[w] < margin * distance {
                 violates[v] = true;
                 violates[w] = true;
@@ -38,11 +38,4 @@ pub fn update(features: &mut Features, judged: &[Judged], margin: f64, moment: f
         members().for_each(|(reading, _)| features.add(&reading.features, by, moment));
     }
     true
-}
-
-/// ‖a − b‖₁, summed in the features' order.
-fn l1_distance(a: &Vector, b: &Vector) -> f64 {
-    let ours = a.iter().map(|(id, x)| (x - b.get(id).unwrap_or(&0.0)).abs());
-    let theirs = b.iter().filter(|(id, _)| !a.contains_key(id)).map(|(_, y)| y.abs());
-    ours.chain(theirs).fold(0.0, |sum, part| sum + part)
 }

@@ -5,7 +5,7 @@ use super::genlex::{Candidate, candidates};
 use super::perceptron::{Judged, update};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
-use crate::ccg::{Derivation, EntryId, MAX_WORDS, Model, Origin, words};
+use crate::ccg::{Atom, Category, Derivation, EntryId, Grammar, MAX_WORDS, Model, Origin, words};
 use crate::corpus::Example;
 use crate::ground::{PairId, Validator};
 use rand::{RngExt, SeedableRng};
@@ -29,6 +29,8 @@ pub struct Config {
     pub seed: u32,
     /// Derivations tried in a chart.
     pub budget: usize,
+    /// Epochs, from the first, in which entries are generated for sentences that the lexicon cannot explain.
+    pub generations: u32,
 }
 
 impl Default for Config {
@@ -41,13 +43,14 @@ impl Default for Config {
             margin: 1.0,
             seed: 0,
             budget: ChartConfig::default().budget,
+            generations: 3,
         }
     }
 }
 
 impl Config {
     /// The settings as facts of a model file.
-    fn facts(&self) -> [(&'static str, String); 7] {
+    fn facts(&self) -> [(&'static str, String); 8] {
         let demonstrations = self.demonstrations.map_or("all".to_owned(), |n| n.to_string());
         [
             ("epochs", self.epochs.to_string()),
@@ -57,6 +60,7 @@ impl Config {
             ("margin", self.margin.to_string()),
             ("seed", self.seed.to_string()),
             ("budget", self.budget.to_string()),
+            ("generations", self.generations.to_string()),
         ]
     }
 }
@@ -95,9 +99,12 @@ struct Item {
 }
 
 /// What is done next with the example at work.
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Phase {
+    /// It is parsed with the lexicon; a valid parse, or none to be hoped for, leads to the update.
+    Explain,
+    /// New entries are generated first.
     Generate,
-    Update,
 }
 
 /// Why a run cannot go on from a checkpoint.
@@ -157,7 +164,7 @@ impl Trainer {
             order: Vec::new(),
             epoch: 0,
             next: 0,
-            phase: Phase::Generate,
+            phase: Phase::Explain,
             so_far: Epoch::default(),
             epochs: Vec::new(),
         };
@@ -252,26 +259,28 @@ impl Trainer {
             return None;
         }
         let at = *self.order.get(self.next)? as usize;
-        match self.phase {
-            Phase::Generate => {
-                self.generate(at);
-                self.phase = Phase::Update;
-                None
-            }
-            Phase::Update => {
-                self.update(at);
-                self.phase = Phase::Generate;
-                self.next += 1;
-                self.so_far.entries = self.model.lexicon.len();
-                let progress =
-                    Progress { epoch: self.epoch, example: self.next, so_far: self.so_far };
-                if self.next == self.items.len() {
-                    self.epochs.push(self.so_far);
-                    self.begin_epoch();
-                }
-                Some(progress)
-            }
+        let phase = std::mem::replace(&mut self.phase, Phase::Explain);
+        if phase == Phase::Generate {
+            self.generate(at);
         }
+        let judged = self.judge(at);
+        let explained = judged.iter().any(|reading| reading.valid);
+        if phase == Phase::Explain && !explained && self.epoch <= self.config.generations {
+            self.phase = Phase::Generate;
+            return None;
+        }
+        let moment = self.visits();
+        let updated = update(&mut self.model.features, &judged, self.config.margin, moment);
+        self.so_far.valid += usize::from(explained);
+        self.so_far.updates += usize::from(updated);
+        self.so_far.entries = self.model.lexicon.len();
+        self.next += 1;
+        let progress = Progress { epoch: self.epoch, example: self.next, so_far: self.so_far };
+        if self.next == self.items.len() {
+            self.epochs.push(self.so_far);
+            self.begin_epoch();
+        }
+        Some(progress)
     }
 
     fn begin_epoch(&mut self) {
@@ -293,31 +302,33 @@ impl Trainer {
         ChartConfig { beam: beam as usize, budget: self.config.budget, ..ChartConfig::default() }
     }
 
-    /// Lexical generation: the candidates that the best valid parses use become entries.
+    /// Lexical generation for a sentence that the lexicon cannot explain: the candidates that the best valid parse
+    /// uses become entries. Phrases that denote nothing before the demonstrations cannot be part of it.
     fn generate(&mut self, at: usize) {
-        let words = &self.items[at].words;
-        if words.is_empty() || words.len() > MAX_WORDS {
+        let Item { words, pairs } = &self.items[at];
+        if !can_parse(words) {
             return;
         }
-        if !self.generated.contains_key(words) {
-            let config = self.chart_config(self.config.lexical_beam);
-            let found = candidates(&mut self.model, words, config);
-            self.generated.insert(words.clone(), found);
-        }
-        let candidates = &self.generated[words];
+        let config = self.chart_config(self.config.lexical_beam);
+        let candidates = self
+            .generated
+            .entry(words.clone())
+            .or_insert_with(|| candidates(&mut self.model, words, config));
         let mut items = lexical_items(&self.model, words);
         for candidate in candidates {
             if self.model.lexicon.origin(candidate.entry) == Origin::Candidate {
-                items.push(lexical_item(
-                    &self.model,
-                    candidate.entry,
-                    candidate.start,
-                    candidate.end,
-                ));
+                let Candidate { start, end, entry } = *candidate;
+                items.push(lexical_item(&self.model, entry, start, end));
             }
         }
         let config = self.chart_config(self.config.beam);
-        let parse = fill(&mut self.model, words, items, config);
+        let validator = &mut self.validator;
+        let admit = |grammar: &Grammar, category: Category| {
+            let phrase =
+                [Atom::N, Atom::NP].iter().any(|&a| grammar.syntaxes.is(category.syntax, a));
+            !phrase || validator.denotes(&grammar.terms, category.meaning, pairs)
+        };
+        let parse = fill(&mut self.model, words, items, admit, config);
         let mut additions: Vec<Vec<EntryId>> = Vec::new();
         for reading in self.best_valid(&parse, at) {
             let derivation = parse.derivation(reading);
@@ -351,29 +362,28 @@ impl Trainer {
         best
     }
 
-    /// The perceptron's update on a parse with the lexicon alone.
-    fn update(&mut self, at: usize) {
-        let words = &self.items[at].words;
-        if words.is_empty() || words.len() > MAX_WORDS {
-            return;
+    /// The readings that the lexicon alone gives, judged by the demonstrations.
+    fn judge(&mut self, at: usize) -> Vec<Judged> {
+        let Item { words, pairs } = &self.items[at];
+        if !can_parse(words) {
+            return Vec::new();
         }
         let items = lexical_items(&self.model, words);
         let config = self.chart_config(self.config.beam);
-        let parse = fill(&mut self.model, words, items, config);
+        let parse = fill(&mut self.model, words, items, |_, _| true, config);
+        self.so_far.over_budget += usize::from(parse.over_budget());
         let mut judged = Vec::with_capacity(parse.readings.len());
         for &reading in &parse.readings {
-            let terms = &self.model.grammar.terms;
-            let valid = self.validator.valid(terms, reading.form, &self.items[at].pairs);
-            let derivation = parse.derivation(reading);
-            let features = derivation.features(&mut self.model, reading.form);
-            judged.push(Judged { features, valid });
+            let valid = self.validator.valid(&self.model.grammar.terms, reading.form, pairs);
+            let occurring = parse.derivation(reading).features(&self.model, reading.form);
+            judged.push(Judged { features: self.model.features.vector(&occurring), valid });
         }
-        self.so_far.valid += usize::from(judged.iter().any(|reading| reading.valid));
-        self.so_far.over_budget += usize::from(parse.over_budget());
-        let moment = self.visits();
-        let updated = update(&mut self.model.features, &judged, self.config.margin, moment);
-        self.so_far.updates += usize::from(updated);
+        judged
     }
+}
+
+fn can_parse(words: &[String]) -> bool {
+    (1..=MAX_WORDS).contains(&words.len())
 }
 
 /// A fingerprint of commands and states, so that a model tells what it was trained on.
