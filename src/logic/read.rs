@@ -159,6 +159,9 @@ impl<'a> Reader<'a> {
             return Err(bad(column));
         }
         let ty = self.ty(column + name.chars().count() + 1, ty)?;
+        if let Some((column, ")")) = self.peek() {
+            return Err(bad(column));
+        }
         self.scope.push((name, ty));
         let body = self.term()?;
         self.scope.pop();
