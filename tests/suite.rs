@@ -9,6 +9,8 @@
 
 #[path = "suite/everywhere.rs"]
 mod everywhere;
+#[path = "suite/logic.rs"]
+mod logic;
 #[path = "suite/render.rs"]
 mod render;
 #[path = "suite/tidy.rs"]
