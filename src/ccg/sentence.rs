@@ -10,9 +10,14 @@ pub const MAX_WORDS: usize = 50;
 pub fn words(command: &str) -> Vec<String> {
     let text: String = command.nfc().flat_map(char::to_lowercase).collect();
     let mut words = Vec::new();
+    let is_outer = |c: char| !c.is_alphanumeric();
     for token in text.split(is_separator) {
-        let word = token.trim_matches(|c: char| !c.is_alphanumeric());
+        let word = match token.trim_end_matches(is_outer) {
+            owner @ ("'s" | "\u{2019}s") => owner,
+            other => other.trim_start_matches(is_outer),
+        };
         match word.strip_suffix("'s").or_else(|| word.strip_suffix("\u{2019}s")) {
+            Some("") => words.push("'s".to_owned()),
             Some(owner) => words.extend([owner.to_owned(), "'s".to_owned()]),
             None if word.is_empty() => {}
             None => words.push(word.to_owned()),
