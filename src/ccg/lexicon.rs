@@ -163,7 +163,7 @@ impl Lexicon {
     /// The types of a template's holes.
     pub fn holes(&self, grammar: &Grammar, id: TemplateId) -> Vec<TyId> {
         let template = self.template(id);
-        let mut types = Vec::with_capacity(template.holes);
+        let mut types = Vec::new();
         let mut meaning = template.meaning;
         while types.len() < template.holes {
             let Node::Lambda { parameter, body } = grammar.terms.node(meaning) else { break };

@@ -135,7 +135,10 @@ impl Model {
                     .ok_or(format!("{syntax:?} is no category"))?;
                 let holes = holes.parse().map_err(|_| format!("{holes:?} is no number"))?;
                 let meaning = read(&mut self.grammar.terms, meaning).map_err(|e| e.to_string())?;
-                self.lexicon.add_template(syntax, meaning, holes);
+                let template = self.lexicon.add_template(syntax, meaning, holes);
+                if self.lexicon.holes(&self.grammar, template).len() != holes {
+                    return Err(format!("the template's meaning has not {holes} holes"));
+                }
             }
             ["entry", words, constants, template, origin] => {
                 let origin = match origin {
