@@ -11,6 +11,8 @@
 mod everywhere;
 #[path = "suite/logic.rs"]
 mod logic;
+#[path = "suite/ccg.rs"]
+mod ccg;
 #[path = "suite/render.rs"]
 mod render;
 #[path = "suite/tidy.rs"]

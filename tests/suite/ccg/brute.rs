@@ -1,0 +1,76 @@
+//! Every derivation of a short sentence, written out without a chart: all bracketings, all rules, all shifts.
+
+use groundling::ccg::combinator::Made;
+use groundling::ccg::features::root_features;
+use groundling::ccg::{Category, Feature, Lexical, Model};
+use groundling::logic::{print, ty};
+use std::collections::BTreeMap;
+
+/// One derivation of a span.
+#[derive(Clone, Copy)]
+struct Derived {
+    category: Category,
+    made: Made,
+    score: f64,
+}
+
+/// The goals of a sentence, printed, each with the best score of its derivations. `normal_form` says whether only
+/// Eisner's derivations count or all of them.
+pub(super) fn goals(
+    model: &mut Model,
+    n_words: usize,
+    lexical: &[Lexical],
+    normal_form: bool,
+) -> BTreeMap<String, f64> {
+    let mut best: BTreeMap<String, f64> = BTreeMap::new();
+    for found in derive(model, lexical, (0, n_words), normal_form) {
+        let Category { syntax, meaning } = found.category;
+        if model.grammar.syntaxes.text(syntax) == "S"
+            && model.grammar.terms.ty(meaning) == ty::TRUTH
+        {
+            let root = root_features(&model.grammar.terms, meaning);
+            let score = root.iter().fold(found.score, |sum, &f| sum + model.features.value(f));
+            let known = best.entry(print(&model.grammar.terms, meaning)).or_insert(score);
+            *known = known.max(score);
+        }
+    }
+    best
+}
+
+fn derive(
+    model: &mut Model,
+    lexical: &[Lexical],
+    (start, end): (usize, usize),
+    normal_form: bool,
+) -> Vec<Derived> {
+    let items = lexical.iter().filter(|item| (item.start, item.end) == (start, end));
+    let mut found: Vec<Derived> = items
+        .map(|item| Derived { category: item.category, made: Made::Plainly, score: item.score })
+        .collect();
+    for split in start + 1..end {
+        let lefts = derive(model, lexical, (start, split), normal_form);
+        let rights = derive(model, lexical, (split, end), normal_form);
+        for (l, r) in lefts.iter().flat_map(|l| rights.iter().map(move |r| (l, r))) {
+            let rows = model.grammar.rows(l.category.syntax, r.category.syntax).to_vec();
+            for (rule, syntax) in rows {
+                let meanings = (l.category.meaning, r.category.meaning);
+                let combined = model.grammar.combine(rule, meanings.0, meanings.1, false);
+                if let Some(meaning) = combined
+                    && (!normal_form || rule.admits(l.made, r.made))
+                {
+                    let own = model.features.value(Feature::Rule(rule));
+                    let score = l.score + r.score + own;
+                    let category = Category { syntax, meaning };
+                    found.push(Derived { category, made: rule.makes(), score });
+                }
+            }
+        }
+    }
+    for base in found.clone() {
+        for (rule, category) in model.grammar.shifts(base.category) {
+            let score = base.score + model.features.value(Feature::Rule(rule));
+            found.push(Derived { category, made: Made::ByShift, score });
+        }
+    }
+    found
+}

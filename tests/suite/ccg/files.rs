@@ -1,0 +1,155 @@
+//! The texts that people and programs write: seed lexicons and model files, read back whole, refused by line.
+
+use super::{AMBIGUOUS, model};
+use groundling::ccg::{ChartConfig, Feature, Model, RuleId, lexicon_text::read_lexicon, parse};
+use groundling::learn::{DEMONSTRATION_LEXICON, seed_model};
+use groundling::logic::print;
+
+#[test]
+fn a_wrong_line_of_a_lexicon_is_named() {
+    for (text, said) in [
+        ("# fine\n\nroom N", "line 3: a line is words :- CATEGORY : meaning"),
+        ("room :- N", "line 1: between category and meaning stands a colon"),
+        ("room :- X : room:<e,t>", "line 1: \"X\" is no syntactic category"),
+        ("room :- N : (room:<e,t>", "line 1: column 1: a bracket that opens here is never closed"),
+        ("room :- N : hall:<e,t>", "line 1: hall:<e,t> is not in the signature"),
+        ("room :- N : room:<e,e>", "line 1: room:<e,e> is not in the signature"),
+        ("room :- N : room:<e,t>\n!? :- N : room:<e,t>", "line 2: there are no words before :-"),
+        ("room :- N : ?:<e,t>\n* :- N : hall:<e,t>", "line 2: hall:<e,t> is not in the signature"),
+        ("frame hall:<e,t>", "line 1: hall:<e,t> is not in the signature"),
+        ("frame room", "line 1: room is not in the signature"),
+        ("commutative near:<e,t>", "line 1: near:<e,t> is not in the signature"),
+    ] {
+        let mut model = model("");
+        let error = read_lexicon(&mut model, text).unwrap_err();
+        assert_eq!(error.to_string(), said, "{text}");
+    }
+}
+
+#[test]
+fn a_seed_lexicon_has_the_reference_s_weights() {
+    let model = model("red room :- N : room:<e,t>");
+    let [entry] = model.lexicon.entries()[..] else { panic!("one entry") };
+    let lexeme = model.lexicon.entry(entry).lexeme;
+    assert_eq!(model.features.value(Feature::Lexeme(lexeme)), 10.0);
+    let weight = model.features.value(Feature::Entry(entry));
+    assert!((weight - 21.435_469_250_725_863).abs() < 1e-12, "10 · 2^1.1 is not {weight}");
+    assert_eq!(model.features.value(Feature::Skip), -1.0);
+}
+
+/// A model with a line of every kind.
+fn whole() -> Model {
+    let lexicon = format!("frame agent:<e,t>\ncommutative near:<e,<e,t>>\n{AMBIGUOUS}");
+    let mut model = model(&lexicon);
+    model.facts.insert("seed".to_owned(), "7".to_owned());
+    let entry = model.lexicon.entries()[3];
+    let template = model.lexicon.entry(entry).template;
+    model.features.set(Feature::Template(template), 0.1 + 0.2);
+    model.features.set_drift(Feature::Entry(entry), -1.0 / 3.0);
+    model.features.set(Feature::Rule(RuleId(6)), 1e-300);
+    let ty = model.grammar.terms.types.read("<e,<e,t>>").unwrap();
+    let [near, inside] = ["near", "in"].map(|name| model.grammar.terms.constant(name, ty));
+    model.features.set(Feature::Pair(inside, near), -123_456_789.123_456_79);
+    model
+}
+
+const COMMANDS: [&str; 13] = [
+    "go to the red room",
+    "go to red room",
+    "go to the room",
+    "robot in the red room",
+    "robot near the room now",
+    "not robot in the room",
+    "go to the big red room",
+    "please go to the room robot in",
+    "the room",
+    "xyzzy",
+    "",
+    "go to the red red room",
+    "go in the room",
+];
+
+#[test]
+fn a_model_that_is_read_back_is_the_same() {
+    for model in [whole(), seed_model(DEMONSTRATION_LEXICON).unwrap(), Model::default()] {
+        let text = model.print();
+        let mut again = Model::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        assert_eq!(again.print(), text);
+        let mut model = model;
+        for command in COMMANDS {
+            let readings = |model: &mut Model| {
+                let parse = parse(model, command, ChartConfig::default());
+                let terms = &model.grammar.terms;
+                let readings = parse.readings.iter();
+                let readings = readings.map(|r| (print(terms, r.form), r.score.to_bits()));
+                (readings.collect::<Vec<_>>(), parse.skipped, parse.reason)
+            };
+            assert_eq!(readings(&mut again), readings(&mut model), "{command}");
+        }
+        assert_eq!(again.print(), text, "being asked leaves no trace");
+    }
+}
+
+#[test]
+fn a_damaged_model_is_refused_by_line() {
+    let text = whole().print();
+    // A line that begins so, what takes its place, and what is said.
+    for (line, damaged, said) in [
+        ("groundling model", "groundling model 2", "begins with \"groundling model 1\""),
+        ("fact", "fact\tseed", "no line of a model begins with"),
+        ("constant\troom", "constant\troom:<e,t", "what follows the colon is not a type"),
+        ("constant\troom", "constant\troom", "a constant is name:type"),
+        ("constant\troom", "constant\tred:<e,t>\nconstant\tred:<e,t>", "has a type already"),
+        ("frame", "frame\thall:<e,t>", "the constant hall:<e,t> is not in the signature"),
+        ("commutative", "commutative\tnear:e", "the constant near:e is not in the signature"),
+        ("template", "template\tX\t1\t(lambda $0:e $0)", "\"X\" is no category"),
+        ("template", "template\tN\tone\t(lambda $0:e $0)", "\"one\" is no number"),
+        ("template", "template\tN\t-1\t(lambda $0:e $0)", "\"-1\" is no number"),
+        ("template", "template\tN\t2\t(lambda $0:e $0)", "has not 2 holes"),
+        ("template", "template\tN\t18446744073709551615\t(lambda $0:e $0)", "holes"),
+        ("template", "template\tN\t1\t(lambda $0:e", "column"),
+        ("template", "template\tN\t1", "no line of a model begins with"),
+        ("entry", "entry\t\troom:<e,t>\t0\tseed", "an entry needs words"),
+        ("entry", "entry\troom\thall:<e,t>\t0\tseed", "hall:<e,t> is not in the signature"),
+        ("entry", "entry\troom\troom:<e,t>\t99\tseed", "there is no template 99"),
+        ("entry", "entry\troom\troom:<e,t>\tzero\tseed", "\"zero\" is no number"),
+        ("entry", "entry\troom\tnear:<e,<e,t>> near:<e,<e,t>>\t0\tseed", "do not fit"),
+        ("entry", "entry\troom\troom:<e,t>\t0\tguessed", "\"guessed\" is neither"),
+        ("weight\tskip", "weight\tskip\tNaN", "the weight NaN is not finite"),
+        ("weight\tskip", "weight\tskip\tinf", "the weight inf is not finite"),
+        ("weight\tskip", "weight\tskip\t1e999", "the weight inf is not finite"),
+        ("weight\tskip", "weight\tskip\theavy", "\"heavy\" is no number"),
+        ("weight\tskip", "weight\t1", "there is no feature"),
+        ("weight\tskip", "weight\tjump\t1", "there is no feature"),
+        ("weight\trule", "weight\trule\t>>\t1", "there is no rule \">>\""),
+        ("weight\ttemplate", "weight\ttemplate\t99\t1", "there is no template 99"),
+        ("weight\tlexeme", "weight\tlexeme\troom\thall:<e,t>\t1", "not in the signature"),
+        ("weight\tentry", "weight\tentry\troom\troom:<e,t>\t99\t1", "there is no template 99"),
+        ("weight\tpair", "weight\tpair\tred:<e,t>\tred\t1", "the constant red is not"),
+        ("drift", "drift\tskip\tNaN", "the drift NaN is not finite"),
+        ("end", "fin", "no line of a model begins with"),
+        ("end", "end\nend", "the file goes on after its end"),
+    ] {
+        let at = text.lines().position(|l| l.starts_with(line)).unwrap_or_else(|| panic!("{line}"));
+        let mut lines: Vec<&str> = text.lines().collect();
+        lines[at] = damaged;
+        let error = Model::read(&lines.join("\n")).unwrap_err();
+        let at = at + damaged.lines().count();
+        assert_eq!(error.line, at, "{damaged}: {error}");
+        assert!(error.reason.contains(said), "{damaged}: {error}");
+    }
+}
+
+#[test]
+fn a_model_file_that_breaks_off_is_refused_wherever_it_does() {
+    let text = whole().print();
+    let lines: Vec<&str> = text.lines().collect();
+    for kept in 0..lines.len() {
+        let error = Model::read(&lines[..kept].join("\n")).unwrap_err();
+        assert_eq!(error.line, kept + 1);
+        assert_eq!(error.reason, "the file breaks off before its end");
+    }
+    for (end, _) in text.char_indices().filter(|(at, _)| at + 4 < text.len()) {
+        assert!(Model::read(&text[..end]).is_err(), "{end} bytes were read");
+    }
+}
