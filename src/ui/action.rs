@@ -83,6 +83,8 @@ pub enum Effect {
     Post(Envelope<Request>),
     /// Ring after so many milliseconds.
     StartTimer(Timer, u32),
+    /// Bring the room into view.
+    ShowRoom,
     /// Offer a text to the person as a file.
     Save {
         /// The file's name.

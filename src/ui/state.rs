@@ -388,6 +388,7 @@ fn answered(state: &mut State, answer: Answer, effects: &mut Vec<Effect>) {
     if let Some((first, last)) = ends {
         state.world.change(first, last);
         state.tick(effects);
+        effects.push(Effect::ShowRoom);
     }
     let messages = why::explain(&answer);
     state.say(match (messages.first(), &state.playback) {

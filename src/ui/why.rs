@@ -22,14 +22,7 @@ fn message(kind: &'static str, what: impl Into<String>, fix: impl Into<String>) 
 pub fn explain(answer: &Answer) -> Vec<Message> {
     let mut messages = Vec::new();
     messages.extend(answer.reason.as_deref().map(|reason| parsing(reason, answer)));
-    if !answer.skipped.is_empty() {
-        let what = format!("These words were left out: {}.", quoted(&answer.skipped));
-        messages.push(message(
-            "skipped",
-            what,
-            "See whether the meaning below is still what you meant.",
-        ));
-    }
+    messages.extend(skipping(answer));
     let Some(best) = answer.readings.first() else { return messages };
     for failure in &best.failures {
         messages.push(message(
@@ -57,6 +50,19 @@ pub fn explain(answer: &Answer) -> Vec<Message> {
         },
     }
     messages
+}
+
+/// Words that were left out, so that the rest could be understood: never seen ones first.
+fn skipping(answer: &Answer) -> Vec<Message> {
+    let (unknown, known): (Vec<String>, Vec<String>) =
+        answer.skipped.iter().cloned().partition(|word| answer.unknown.contains(word));
+    let fix = "See whether the meaning below is still what you meant.";
+    let left_out = |kind, what: &str, words: &[String]| {
+        (!words.is_empty()).then(|| message(kind, format!("{what}: {}.", quoted(words)), fix))
+    };
+    let unknown = left_out("unknown_words", "Never seen in training, so left out", &unknown);
+    let known = left_out("skipped", "These words were left out", &known);
+    unknown.into_iter().chain(known).collect()
 }
 
 fn parsing(reason: &str, answer: &Answer) -> Message {

@@ -38,6 +38,8 @@ export class Flow {
     const origin = new URL(address).origin;
     const problem = (what) => this.problems.push(what);
     page.on('console', (message) => {
+      // What a browser says by itself when it has WebGPU but nothing to run it on: WebGL2 is taken then.
+      if (message.text() === 'No available adapters.') return;
       if (['error', 'warning'].includes(message.type())) problem(`console: ${message.text()}`);
     });
     page.on('pageerror', (error) => problem(`uncaught: ${error.stack ?? error}`));

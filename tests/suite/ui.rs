@@ -337,6 +337,13 @@ fn every_failure_says_what_is_wrong_and_what_to_do() {
             Answer { skipped: vec!["please".to_owned()], ..understood(Some(plan(&world(), 1))) },
         ),
     ];
+    let left_out = Answer {
+        unknown: vec!["purple".to_owned()],
+        skipped: vec!["purple".to_owned(), "please".to_owned()],
+        ..understood(Some(plan(&world(), 1)))
+    };
+    let kinds: Vec<&str> = why::explain(&left_out).iter().map(|m| m.kind).collect();
+    assert_eq!(kinds, ["unknown_words", "skipped"]);
     for (kind, answer) in cases {
         let messages = why::explain(&answer);
         let kinds: Vec<&str> = messages.iter().map(|m| m.kind).collect();

@@ -35,7 +35,7 @@ pub(super) fn AnswerPanel(props: &Props) -> Html {
                 let title = match (tie, i) {
                     (false, 0) => "It means".to_owned(),
                     (true, _) => format!("Meaning {}", i + 1),
-                    (false, _) => format!("Less likely {}", i),
+                    (false, _) => "Less likely".to_owned(),
                 };
                 show(reading, title, i == 0)
             }) }
@@ -50,7 +50,7 @@ fn show(reading: &Reading, title: String, first: bool) -> Html {
                 <span class="reading-title">{ title }</span>
                 <span class="human" data-testid="reading-human">{ &reading.human }</span>
                 <span class="score" data-testid="reading-score" title="Score">
-                    <span class="unseen">{"Score "}</span>{ format!("{:.2}", reading.score) }
+                    { format!("score {:.2}", reading.score) }
                 </span>
             </summary>
             <h3>{"Form"}</h3>

@@ -85,7 +85,7 @@ impl Component for App {
                 </header>
                 <EngineNotice health={state.engine.health.clone()} act={act.clone()} />
                 <main class="columns">
-                    <section class="card room" aria-labelledby="room-title">
+                    <section id="room" class="card room" aria-labelledby="room-title">
                         <Stage shown={state.shown().clone()} choice={state.world.choice}
                             can_undo={state.world.can_undo()} preferences={state.preferences}
                             act={act.clone()} />

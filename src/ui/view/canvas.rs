@@ -1,7 +1,6 @@
 //! The world's picture, moving: drawn by the renderer once it has come, as SVG until then and where there is no
 //! GPU or it was lost. A step glides from cell to cell; a jump, or a person who prefers less motion, does not.
 
-use super::picture::letters;
 use super::{host, sketch};
 use crate::domain::State;
 use crate::render::link::{self, LinkError, View};
@@ -45,7 +44,19 @@ pub(super) struct Canvas {
     motion: Option<(Motion, f64)>,
     /// Whether a frame has been asked for.
     awaited: bool,
-    observer: Option<(ResizeObserver, Closure<dyn FnMut()>)>,
+    observer: Option<Observer>,
+}
+
+/// Watches the canvas's size.
+struct Observer {
+    observer: ResizeObserver,
+    _resized: Closure<dyn FnMut()>,
+}
+
+impl Drop for Observer {
+    fn drop(&mut self) {
+        self.observer.disconnect();
+    }
 }
 
 impl Component for Canvas {
@@ -131,7 +142,6 @@ impl Component for Canvas {
                 <svg class="picture" role="img" aria-label={describe::world(shown)}
                     viewBox={sketch::view_box(&scene)}>
                     if !drawn { { sketch::quads(&scene) } }
-                    { letters(shown) }
                 </svg>
             </div>
         }
@@ -155,7 +165,7 @@ impl Component for Canvas {
 impl Canvas {
     fn scene(&self, ctx: &Context<Self>) -> Scene {
         let Props { shown, theme, .. } = ctx.props();
-        let options = Options { theme: *theme, ..Options::default() };
+        let options = Options { theme: *theme, letters: true, ..Options::default() };
         match &self.motion {
             Some((motion, begun)) => {
                 let t = ((host::now() - begun) / GLIDE_MS) as f32;
@@ -198,7 +208,7 @@ impl Canvas {
         let observer = ResizeObserver::new(resized.as_ref().unchecked_ref());
         if let (Ok(observer), Some(canvas)) = (observer, self.node.cast::<HtmlCanvasElement>()) {
             observer.observe(&canvas);
-            self.observer = Some((observer, resized));
+            self.observer = Some(Observer { observer, _resized: resized });
         }
     }
 }

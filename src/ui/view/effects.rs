@@ -1,6 +1,7 @@
 //! Carries effects out: the worker, timers and downloads. The worker is web-sys's own and not gloo-worker's,
 //! since the page must be able to end an engine that no longer answers and start another.
 
+use super::host;
 use crate::ui::{Action, Effect};
 use crate::worker::protocol::{Envelope, Event};
 use gloo_timers::callback::Timeout;
@@ -67,6 +68,7 @@ impl Effects {
                 let act = self.act.clone();
                 Timeout::new(ms, move || act.emit(Action::Rang(timer))).forget();
             }
+            Effect::ShowRoom => host::reveal("room"),
             Effect::Save { name, text } => save(&name, &text)?,
         }
         Ok(())

@@ -7,6 +7,7 @@ use std::sync::Once;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{CustomEvent, CustomEventInit, Element, MediaQueryList};
+use web_sys::{ScrollIntoViewOptions, ScrollLogicalPosition};
 use yew::Callback;
 
 /// The event that the boot script shows the crash panel on; its detail is the message.
@@ -18,6 +19,15 @@ const DARK: &str = "(prefers-color-scheme: dark)";
 /// An element by its id.
 pub(super) fn element(id: &str) -> Option<Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
+}
+
+/// Scrolls an element into view, as little as need be.
+pub(super) fn reveal(id: &str) {
+    let options = ScrollIntoViewOptions::new();
+    options.set_block(ScrollLogicalPosition::Nearest);
+    if let Some(element) = element(id) {
+        element.scroll_into_view_with_scroll_into_view_options(&options);
+    }
 }
 
 /// What the person prefers.

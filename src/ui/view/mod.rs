@@ -6,6 +6,7 @@ mod host;
 mod sketch;
 mod picture;
 mod canvas;
+mod cells;
 mod stage;
 mod controls;
 mod train;

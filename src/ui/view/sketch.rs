@@ -2,6 +2,7 @@
 //! their figures a little simpler. One unit is one cell; inside a figure x and y run from −1 to 1, y up, as
 //! in the shader.
 
+use crate::domain::Color;
 use crate::render::{Figure, Quad, Rgba, Scene};
 use yew::{Html, html};
 
@@ -30,6 +31,7 @@ fn quad(quad: &Quad) -> Html {
         Figure::Bag => figure(quad, bag(quad)),
         Figure::Backpack => figure(quad, backpack(quad)),
         Figure::Box => figure(quad, crate_box(quad)),
+        Figure::Letter => letter(quad),
         _ => rect(quad, None),
     }
 }
@@ -43,7 +45,8 @@ fn css(colour: Rgba) -> String {
 fn rect(quad: &Quad, line: Option<f32>) -> Html {
     let ([x, y], [w, h]) = (quad.centre, quad.half);
     // A blurred edge is drawn as a paler, sharp one.
-    let fade = if line.is_none() && quad.detail[1] > 0.0 { "0.6" } else { "1" };
+    let blurred = quad.figure == Figure::Rect && quad.detail[1] > 0.0;
+    let fade = if blurred { "0.6" } else { "1" };
     html! {
         <rect x={(x - w).to_string()} y={(-y - h).to_string()} width={(2.0 * w).to_string()}
             height={(2.0 * h).to_string()} rx={quad.detail[0].to_string()} fill={css(quad.fill)} opacity={fade}
@@ -77,6 +80,18 @@ fn badge(quad: &Quad) -> Html {
         <><circle r=".93" fill={css(quad.fill)} /><path d={sign} fill={css(quad.ink)} stroke="none" /></>
     };
     figure(quad, parts)
+}
+
+fn letter(quad: &Quad) -> Html {
+    let ([x, y], [w, _]) = (quad.centre, quad.half);
+    let sign = Color::ALL.get(quad.detail[0] as usize).map_or(' ', |color| color.letter());
+    html! {
+        <>
+            <circle cx={x.to_string()} cy={(-y).to_string()} r={w.to_string()} fill={css(quad.fill)} />
+            <text class="letter" x={x.to_string()} y={(-y).to_string()} font-size={(1.7 * w).to_string()}
+                fill={css(quad.ink)} aria-hidden="true">{ sign.to_ascii_uppercase() }</text>
+        </>
+    }
 }
 
 /// Parts in the figure's own square, outlined in ink.

@@ -1,6 +1,7 @@
 //! The room: which world is open, its picture, undo and reset.
 
 use super::canvas::Canvas;
+use super::cells::Cells;
 use crate::domain::State;
 use crate::ui::action::Preferences;
 use crate::ui::world::WORLDS;
@@ -43,6 +44,7 @@ pub(super) fn Stage(props: &Props) -> Html {
                         onclick={act.reform(|_| Action::ResetWorld)}>{"Reset world"}</button>
                 </div>
             </div>
+            <Cells shown={shown.clone()} />
         </>
     }
 }

@@ -40,7 +40,7 @@ pub(super) fn TrainPanel(props: &Props) -> Html {
             { match (progress, training, model) {
                 (Some(progress), ..) => bar(progress),
                 (None, true, _) => html! { <p class="dim">{"Beginning…"}</p> },
-                (None, false, Some(model)) => learned(model, act),
+                (None, false, Some(model)) => learned(model),
                 (None, false, None) => html! {
                     <p>{ format!(
                         "It knows no words for things or deeds yet. It can learn them from {commands} commands, \
@@ -48,7 +48,13 @@ pub(super) fn TrainPanel(props: &Props) -> Html {
                 },
             } }
             <Notice text={notice.clone()} id="model-notice" />
-            <OpenFile id="model-file" label="Open a model file" accept=".model,.txt,.json" act={act.clone()} />
+            <div class="files">
+                <OpenFile id="model-file" label="Open a model" accept=".model,.txt,.json" act={act.clone()} />
+                if model.is_some() {
+                    <button type="button" class="quiet" data-testid="save-model"
+                        onclick={act.reform(|_| Action::SaveModel)}>{"Save the model"}</button>
+                }
+            </div>
         </section>
     }
 }
@@ -68,14 +74,11 @@ fn bar(p: &Progress) -> Html {
     }
 }
 
-fn learned(model: &Model, act: &Callback<Action>) -> Html {
+fn learned(model: &Model) -> Html {
     let report = &model.report;
     html! {
-        <div class="learned" data-testid="trained">
-            <p>{ format!("Learned from {}: {} of {} commands have a valid meaning, {} entries in its lexicon.",
-                model.origin, report.valid, report.examples, report.entries) }</p>
-            <button type="button" class="quiet" data-testid="save-model"
-                onclick={act.reform(|_| Action::SaveModel)}>{"Save the model"}</button>
-        </div>
+        <p data-testid="trained">{ format!(
+            "Learned from {}: {} of {} commands have a valid meaning, {} entries in its lexicon.",
+            model.origin, report.valid, report.examples, report.entries) }</p>
     }
 }
