@@ -9,6 +9,7 @@ use super::protocol::{
 use crate::ccg::Model;
 use crate::corpus::{Corpus, Flaw, Form, Options, Rows};
 use crate::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
+use std::collections::VecDeque;
 use std::io::Cursor;
 
 /// Rows that a step reads.
@@ -32,8 +33,8 @@ pub struct Engine {
     corpus: Corpus,
     model: Option<Model>,
     work: Option<(u32, Job)>,
-    /// A request that ended before the one at work, and must still be told so.
-    cancelled: Option<u32>,
+    /// What must still be said before the work goes on: answers that take no work, and the ends of requests.
+    said: VecDeque<(u32, Event)>,
 }
 
 impl Engine {
@@ -44,8 +45,10 @@ impl Engine {
 
     /// Takes a request; what was at work is cancelled, and what it would have replaced stays.
     pub fn start(&mut self, id: u32, request: Request) {
-        let at_work = self.work.take().map(|(id, _)| id);
-        self.cancelled = at_work.or(self.cancelled);
+        if request == Request::Ping {
+            return self.said.push_back((id, Event::Pong));
+        }
+        self.said.extend(self.work.take().map(|(id, _)| (id, Event::Cancelled)));
         let job = match request {
             Request::ReadCorpus { name, text } => read_corpus(name, text),
             Request::ShowRow { row } => Job::Say(self.show_row(row)),
@@ -55,21 +58,20 @@ impl Engine {
                 Some(_) => Job::Ask(Box::new(Asking::new(command, state, pull))),
                 None => refuse("There is no model yet: train one, or open a model file."),
             },
-            Request::Cancel => return,
-            Request::Ping => Job::Say(Event::Pong),
+            Request::Cancel | Request::Ping => return,
         };
         self.work = Some((id, job));
     }
 
     /// Whether there is something to step.
     pub fn busy(&self) -> bool {
-        self.cancelled.is_some() || self.work.is_some()
+        !self.said.is_empty() || self.work.is_some()
     }
 
     /// Does a bounded part of the work; what there is to say of it, with the id of its request.
     pub fn step(&mut self) -> Option<(u32, Event)> {
-        if let Some(id) = self.cancelled.take() {
-            return Some((id, Event::Cancelled));
+        if let Some(said) = self.said.pop_front() {
+            return Some(said);
         }
         let (id, job) = self.work.take()?;
         let (event, job) = self.advance(job);
