@@ -175,7 +175,7 @@ impl Trainer {
     /// Goes on where a checkpoint of the same run was made.
     ///
     /// # Errors
-    /// When the checkpoint is of another corpus or of other settings.
+    /// When the checkpoint is of another corpus or of other settings, or does not say where the run was.
     pub fn resume(
         checkpoint: Model,
         examples: &[Example],
@@ -190,17 +190,34 @@ impl Trainer {
                 return Err(ResumeError { fact: fact.clone(), theirs, ours });
             }
         }
-        let number = |fact: &str| theirs.get(fact).and_then(|text| text.parse::<usize>().ok());
-        let at: Vec<usize> = PLACE.iter().filter_map(|fact| number(fact)).collect();
-        if let [epoch, next, valid, updates, over_budget] = at[..] {
-            trainer.epoch = (epoch as u32).saturating_sub(1);
-            trainer.begin_epoch();
-            trainer.next = next.min(trainer.items.len());
-            let entries = trainer.model.lexicon.len();
-            trainer.so_far = Epoch { valid, updates, entries, over_budget };
+        let place = [trainer.epoch as usize, trainer.next, 0, 0, 0];
+        let mut at = place;
+        for ((fact, begin), found) in PLACE.iter().zip(place).zip(&mut at) {
+            let theirs = theirs.get(*fact).map_or("missing", String::as_str);
+            let number = theirs.parse().ok().filter(|&n| trainer.has_place(fact, n));
+            *found = number.ok_or_else(|| ResumeError {
+                fact: (*fact).to_owned(),
+                theirs: theirs.to_owned(),
+                ours: begin.to_string(),
+            })?;
         }
+        let [epoch, next, valid, updates, over_budget] = at;
+        trainer.epoch = (epoch as u32).saturating_sub(1);
+        trainer.begin_epoch();
+        trainer.next = next;
+        let entries = trainer.model.lexicon.len();
+        trainer.so_far = Epoch { valid, updates, entries, over_budget };
         PLACE.iter().for_each(|&fact| drop(trainer.model.facts.shift_remove(fact)));
         Ok(trainer)
+    }
+
+    /// Whether a run can stand there: an epoch from 1 to one past the last, an example of it.
+    fn has_place(&self, fact: &str, n: usize) -> bool {
+        match fact {
+            "at_epoch" => (1..=self.config.epochs as usize + 1).contains(&n),
+            "at_example" => n < self.items.len().max(1),
+            _ => true,
+        }
     }
 
     /// A model file from which the run can go on, made between two examples.
