@@ -31,6 +31,10 @@ mod goals;
 mod holds;
 #[path = "suite/planning.rs"]
 mod planning;
+#[path = "suite/learn.rs"]
+mod learn;
+#[path = "suite/worker.rs"]
+mod worker;
 #[path = "suite/demonstration.rs"]
 mod demonstration;
 #[path = "suite/ui.rs"]

@@ -1,0 +1,211 @@
+//! Learning: the paper's demonstration with six sentences, the perceptron by hand, runs that stop and go on, and
+//! corpora from which nothing can be learned.
+
+#[path = "learn/resume.rs"]
+mod resume;
+
+use groundling::ccg::{ChartConfig, Feature, Features, Model, RuleId, parse};
+use groundling::corpus::{Corpus, Example, Form, Options, Pair, read};
+use groundling::learn::perceptron::{Judged, update};
+use groundling::learn::{
+    Config, DEMONSTRATION_LEXICON, Evaluation, Progress, Score, Trainer, seed_model,
+};
+use groundling::logic::print_human;
+
+/// The project's own six commands.
+pub(crate) const SIX: &str = include_str!("../../assets/corpus/six.csv");
+
+pub(crate) fn six() -> Vec<Example> {
+    let (Corpus { examples, .. }, flaws) = read(Form::Csv, SIX.as_bytes(), Options::default());
+    assert!(flaws.is_empty(), "{flaws:?}");
+    examples
+}
+
+fn trainer(examples: &[Example], config: &Config) -> Trainer {
+    Trainer::new(seed_model(DEMONSTRATION_LEXICON).unwrap(), examples, config.clone())
+}
+
+/// Trains to the end; the model, and the last that was said of the way.
+fn train(examples: &[Example], config: &Config) -> (Model, Option<Progress>) {
+    let mut trainer = trainer(examples, config);
+    let mut last = None;
+    while !trainer.is_done() {
+        last = trainer.step().or(last);
+    }
+    (trainer.into_model(), last)
+}
+
+#[track_caller]
+fn means(model: &mut Model, command: &str, wanted: &str) {
+    let parse = parse(model, command, ChartConfig::of(model));
+    let answer = parse.answer().unwrap_or_else(|| panic!("{command}: {:?}", parse.reason));
+    assert_eq!(print_human(&model.grammar.terms, answer.form), wanted, "{command}");
+    assert!(parse.skipped.is_empty(), "{command}: skipped {:?}", parse.skipped);
+}
+
+#[track_caller]
+fn has_learned_the_six(model: &mut Model) {
+    means(model, "go to the blue room", "in(the agent, the λx. blue(x) ∧ room(x))");
+    means(model, "walk to the red room", "in(the agent, the λx. red(x) ∧ room(x))");
+    let examples = six();
+    let config = ChartConfig::of(model);
+    let mut evaluation = Evaluation::new(model, &examples, config);
+    while evaluation.step().is_some() {}
+    let scores = evaluation.scores();
+    assert_eq!(scores.total, 6);
+    assert_eq!(scores.plain, Score { answered: 6, correct: 6 }, "without skipping words");
+    assert_eq!(scores.skipping, scores.plain);
+}
+
+#[test]
+fn six_sentences_teach_a_room_that_none_of_them_names() {
+    let (mut model, last) = train(&six(), &Config::default());
+    let last = last.unwrap();
+    assert_eq!((last.epoch, last.example, last.so_far.valid), (15, 6, 6), "{last:?}");
+    has_learned_the_six(&mut model);
+}
+
+#[test]
+fn the_same_corpus_settings_and_seed_give_the_same_bytes() {
+    let config = Config { epochs: 4, ..Config::default() };
+    let text = |config: &Config| train(&six(), config).0.print();
+    assert_eq!(text(&config), text(&config));
+    let longer = Config { epochs: 5, ..Config::default() };
+    assert_ne!(text(&config), text(&longer), "the settings are part of the model");
+}
+
+#[test]
+fn another_order_of_examples_learns_as_well() {
+    for seed in [1, 2, 77] {
+        let (mut model, last) = train(&six(), &Config { seed, ..Config::default() });
+        assert_eq!(last.unwrap().so_far.valid, 6, "seed {seed}");
+        has_learned_the_six(&mut model);
+    }
+}
+
+/// An example with the demonstrations of one of the six.
+fn example(command: &str, pairs: Vec<Pair>) -> Example {
+    let (task, worker, rest) = (None, None, Vec::new());
+    Example {
+        id: command.to_owned(),
+        line: 0,
+        command: command.to_owned(),
+        task,
+        worker,
+        pairs,
+        rest,
+    }
+}
+
+#[test]
+fn from_what_makes_no_sense_nothing_is_learned() {
+    let six = six();
+    let pairs = &six[0].pairs;
+    let still = pairs.iter().map(|p| Pair { pre: p.pre.clone(), post: p.pre.clone() }).collect();
+    let there_and_back =
+        pairs.iter().flat_map(|p| [p.clone(), Pair { pre: p.post.clone(), post: p.pre.clone() }]);
+    let nonsense = [
+        example("", pairs.clone()),
+        example("🤖 …", pairs.clone()),
+        example(&"go to the green room ".repeat(40), pairs.clone()),
+        example("sleep furiously", pairs.clone()),
+        example("the the the", pairs.clone()),
+        example("go to the green room", still),
+        example("walk to the green room", there_and_back.collect()),
+    ];
+    let (model, last) = train(&nonsense, &Config { epochs: 4, ..Config::default() });
+    let last = last.unwrap();
+    assert_eq!((last.epoch, last.example, last.so_far.valid), (4, 7, 0), "{last:?}");
+    let seed = seed_model(DEMONSTRATION_LEXICON).unwrap();
+    assert_eq!(model.lexicon.len(), seed.lexicon.len(), "no entry is believed");
+    assert_eq!(Model::read(&model.print()).unwrap().print(), model.print());
+    // The good learn among the bad.
+    let mixed: Vec<Example> = nonsense.into_iter().chain(six.iter().cloned()).collect();
+    let (mut model, last) = train(&mixed, &Config::default());
+    assert_eq!(last.unwrap().so_far.valid, 6);
+    means(&mut model, "go to the blue room", "in(the agent, the λx. blue(x) ∧ room(x))");
+}
+
+#[test]
+fn what_sounds_like_nonsense_may_be_a_language_never_heard() {
+    let pairs = six()[0].pairs.clone();
+    let (_, last) =
+        train(&[example("colourless ideas sleep furiously", pairs)], &Config::default());
+    assert_eq!(last.unwrap().so_far.valid, 1, "four words are enough for `go-in the green room`");
+}
+
+#[test]
+fn a_run_without_examples_or_without_demonstrations_ends() {
+    let (model, last) = train(&[], &Config::default());
+    assert_eq!(last, None);
+    let (other, _) = train(&[example("go to the green room", Vec::new())], &Config::default());
+    assert_eq!(model.lexicon.len(), other.lexicon.len(), "what nothing shows is not believed");
+}
+
+/// Features of three kinds: one of scale 1, two of scale ½.
+const FEATURES: [Feature; 3] = [Feature::Skip, Feature::Rule(RuleId(0)), Feature::Rule(RuleId(1))];
+
+#[track_caller]
+fn weights_are(features: &Features, wanted: [f64; 3]) {
+    let weights: Vec<f64> = features.iter().map(|(_, weight, _)| weight).collect();
+    assert_eq!(weights, wanted);
+}
+
+#[test]
+fn the_perceptron_does_what_was_worked_out_by_hand() {
+    let mut features = Features::default();
+    features.vector(&FEATURES);
+    let [skip, first, second] = FEATURES;
+    let judged = [
+        Judged { features: features.vector(&[skip, first]), valid: true },
+        Judged { features: features.vector(&[second]), valid: false },
+    ];
+    // φᵥ = (1, ½, 0), φ_w = (0, 0, ½): the margin is 1 + ½ + ½ = 2.
+    assert_eq!(judged[0].features.l1_distance(&judged[1].features), 2.0);
+    assert!(update(&mut features, &judged, 1.0, 0.0), "0 − 0 < 2");
+    weights_are(&features, [1.0, 0.5, -0.5]);
+    assert!(update(&mut features, &judged, 1.0, 1.0), "1.25 − (−0.25) < 2");
+    weights_are(&features, [2.0, 1.0, -1.0]);
+    assert!(!update(&mut features, &judged, 1.0, 2.0), "2.5 − (−0.5) ≥ 2");
+    weights_are(&features, [2.0, 1.0, -1.0]);
+    assert_eq!(features.dot(&judged[0].features), 2.5);
+    // After four visits the weights were (1, 2, 2, 2) times the first update: 7/4 on average.
+    features.average(4.0);
+    weights_are(&features, [1.75, 0.875, -0.875]);
+}
+
+#[test]
+fn only_readings_that_violate_the_margin_move_the_weights() {
+    let mut features = Features::default();
+    features.vector(&FEATURES);
+    let [skip, first, second] = FEATURES;
+    features.set(first, 100.0);
+    let judged = [
+        Judged { features: features.vector(&[first]), valid: true },
+        Judged { features: features.vector(&[skip]), valid: true },
+        Judged { features: features.vector(&[second]), valid: false },
+        Judged { features: features.vector(&[second, second]), valid: false },
+    ];
+    assert!(update(&mut features, &judged, 1.0, 0.0));
+    // E⁺ is the second reading alone; E⁻ both invalid ones, ½ and 1 of the last feature: ¾ on average.
+    weights_are(&features, [1.0, 100.0, -0.75]);
+    let valid_alone = [Judged { features: features.vector(&[skip]), valid: true }];
+    assert!(!update(&mut features, &valid_alone, 1.0, 0.0), "nothing to tell apart");
+    assert!(!update(&mut features, &[], 1.0, 0.0));
+}
+
+#[test]
+fn scores_are_ratios_and_of_nothing_zero() {
+    let none = Score::default();
+    assert_eq!(
+        [none.precision(), none.recall(0), none.f1(0), none.recall(5), none.f1(5)],
+        [0.0; 5]
+    );
+    let wrong = Score { answered: 4, correct: 0 };
+    assert_eq!([wrong.precision(), wrong.recall(5), wrong.f1(5)], [0.0; 3]);
+    let some = Score { answered: 4, correct: 3 };
+    assert_eq!([some.precision(), some.recall(6)], [0.75, 0.5]);
+    assert!((some.f1(6) - 0.6).abs() < 1e-15);
+    let all = Score { answered: 6, correct: 6 };
+    assert_eq!([all.precision(), all.recall(6), all.f1(6)], [1.0; 3]);
+}

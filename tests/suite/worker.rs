@@ -1,0 +1,222 @@
+//! The engine behind the page, pumped as the page's worker pumps it.
+
+#[path = "worker/answers.rs"]
+mod answers;
+#[path = "worker/messages.rs"]
+mod messages;
+
+use crate::learn::{SIX, six};
+use groundling::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
+use groundling::worker::Engine;
+use groundling::worker::protocol::{Event, Request, TrainSettings};
+
+/// The steps that may pass without a word: a search of two million states at 2,000 a step takes a thousand.
+const MOST_SILENT_STEPS: usize = 1_010;
+
+fn settings(epochs: u32) -> TrainSettings {
+    TrainSettings { epochs, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 }
+}
+
+fn train(epochs: u32) -> Request {
+    Request::Train { settings: settings(epochs) }
+}
+
+fn corpus(name: &str, text: &str) -> Request {
+    Request::ReadCorpus { name: name.to_owned(), text: text.to_owned() }
+}
+
+/// Steps until there is something to say.
+#[track_caller]
+fn next(engine: &mut Engine) -> (u32, Event) {
+    for _ in 0..MOST_SILENT_STEPS {
+        assert!(engine.busy(), "nothing is at work, and nothing was said");
+        if let Some(event) = engine.step() {
+            return event;
+        }
+    }
+    panic!("no word in {MOST_SILENT_STEPS} steps");
+}
+
+/// Everything that a request brings about.
+#[track_caller]
+fn pump(engine: &mut Engine, id: u32, request: Request) -> Vec<Event> {
+    engine.start(id, request);
+    let mut events = Vec::new();
+    while engine.busy() {
+        let (of, event) = next(engine);
+        assert_eq!(of, id, "{event:?} answers another request");
+        events.push(event);
+    }
+    assert!(engine.step().is_none(), "it has said all");
+    events
+}
+
+#[track_caller]
+fn only(mut events: Vec<Event>) -> Event {
+    assert_eq!(events.len(), 1, "{events:?}");
+    events.remove(0)
+}
+
+#[track_caller]
+fn refused(engine: &mut Engine, request: Request) -> String {
+    match only(pump(engine, 99, request)) {
+        Event::Refused { message } => message,
+        other => panic!("not refused: {other:?}"),
+    }
+}
+
+/// An engine that has learned the six sentences, and the model's text.
+fn taught(epochs: u32) -> (Engine, String) {
+    let mut engine = Engine::new();
+    pump(&mut engine, 1, corpus("six.csv", SIX));
+    let Some(Event::Trained(report)) = pump(&mut engine, 2, train(epochs)).pop() else {
+        panic!("it does not end with a model");
+    };
+    (engine, report.model)
+}
+
+#[test]
+fn a_corpus_is_read_and_kept_and_a_bad_one_replaces_nothing() {
+    let mut engine = Engine::new();
+    let Event::Corpus(report) = only(pump(&mut engine, 1, corpus("six.csv", SIX))) else {
+        panic!("no report");
+    };
+    assert_eq!((report.rows.len(), report.rejected), (6, 0));
+    assert!(report.problems.is_empty(), "{:?}", report.problems);
+    assert_eq!(report.rows[0].command, six()[0].command);
+    let show = |engine: &mut Engine, row| only(pump(engine, 2, Request::ShowRow { row }));
+    let first = show(&mut engine, 0);
+    let Event::Row { row: 0, pairs } = &first else { panic!("{first:?}") };
+    assert_eq!(pairs[0].pre, six()[0].pairs[0].pre);
+    let headers = SIX.lines().next().unwrap();
+    let broken = SIX.replace("{\"\"agent\"\"", "{\"\"agnt\"\"");
+    for (name, text) in [
+        ("empty.csv", ""),
+        ("blank.csv", "\n\n"),
+        ("picture.csv", "\u{0}PNG\r\n\u{1a}\n\u{0}\u{1}\u{fffd}"),
+        ("letter.csv", "Dear robot,\nplease go home.\n"),
+        ("headers.csv", headers),
+        ("broken.csv", &broken),
+        ("other.csv", &SIX.replace("Answer.command", "Answer.remark")),
+        ("six.jsonl", SIX),
+        ("empty.jsonl", ""),
+    ] {
+        let event = only(pump(&mut engine, 3, corpus(name, text)));
+        let Event::Corpus(report) = event else { panic!("{name}: {event:?}") };
+        assert!(report.rows.is_empty(), "{name}");
+        assert!(!report.problems.is_empty(), "{name}: nothing is said to be wrong");
+        assert!(report.problems.iter().all(|p| !p.message.is_empty() && !p.kept), "{name}");
+        assert_eq!(show(&mut engine, 0), first, "{name}: the old corpus stays");
+    }
+    assert_eq!(refused(&mut engine, Request::ShowRow { row: 6 }), "The corpus has no row 6.");
+    // A row that is bad leaves the good ones, and those are the corpus from then on.
+    let one_bad = SIX.replacen("{\"\"agent\"\"", "{\"\"agnt\"\"", 1);
+    let event = only(pump(&mut engine, 4, corpus("five.csv", &one_bad)));
+    let Event::Corpus(report) = event else { panic!("{event:?}") };
+    assert_eq!(report.rows.len(), 5);
+    assert_eq!(report.problems[0].line, 2);
+    assert!(matches!(show(&mut engine, 4), Event::Row { row: 4, .. }));
+    assert_eq!(refused(&mut engine, Request::ShowRow { row: 5 }), "The corpus has no row 5.");
+}
+
+#[test]
+fn training_needs_a_corpus_and_settings_that_can_be() {
+    let mut engine = Engine::new();
+    let said = refused(&mut engine, train(1));
+    assert_eq!(said, "There is nothing to learn from: load a corpus first.");
+    pump(&mut engine, 1, corpus("six.csv", SIX));
+    for (change, said) in [
+        (TrainSettings { epochs: 0, ..settings(1) }, "The epochs must be between 1 and 1000."),
+        (TrainSettings { beam: 0, ..settings(1) }, "The beam must be between 1 and 10000."),
+        (
+            TrainSettings { lexical_beam: 10_001, ..settings(1) },
+            "The lexical beam must be between 1 and 10000.",
+        ),
+        (
+            TrainSettings { demonstrations: Some(0), ..settings(1) },
+            "The demonstrations must be between 1 and 1000.",
+        ),
+    ] {
+        assert_eq!(refused(&mut engine, Request::Train { settings: change }), said);
+    }
+}
+
+#[test]
+fn training_reports_every_example_and_ends_with_the_command_line_s_bytes() {
+    let mut engine = Engine::new();
+    pump(&mut engine, 1, corpus("six.csv", SIX));
+    let mut events = pump(&mut engine, 2, train(4));
+    let Some(Event::Trained(report)) = events.pop() else { panic!("no model") };
+    let progress = events.iter().map(|event| match event {
+        Event::Progress(p) => (p.epoch, p.example, p.epochs, p.examples),
+        other => panic!("{other:?}"),
+    });
+    let wanted = (1..=4).flat_map(|epoch| (1..=6).map(move |example| (epoch, example, 4, 6)));
+    assert!(progress.eq(wanted), "{events:?}");
+    let config = Config { epochs: 4, ..Config::default() };
+    let seed = seed_model(DEMONSTRATION_LEXICON).unwrap();
+    let mut trainer = Trainer::new(seed, &six(), config);
+    while !trainer.is_done() {
+        trainer.step();
+    }
+    let model = trainer.into_model();
+    assert!(report.model == model.print(), "the page's model is not the command line's");
+    let said = (report.examples, report.valid, report.entries);
+    assert_eq!(said, (6, 6, model.lexicon.len()));
+}
+
+#[test]
+fn training_says_something_every_other_step() {
+    let mut engine = Engine::new();
+    pump(&mut engine, 1, corpus("six.csv", SIX));
+    engine.start(2, train(4));
+    let mut silent = 0;
+    while engine.busy() {
+        silent = if engine.step().is_some() { 0 } else { silent + 1 };
+        assert!(silent <= 1, "an example is at most an explanation and a generation");
+    }
+    // A file is read in steps of a few rows: no step reads it all.
+    engine.start(
+        3,
+        corpus("long.csv", &format!("{SIX}{}", SIX.split_once('\n').unwrap().1.repeat(9))),
+    );
+    let mut steps = 0;
+    while engine.step().is_none() {
+        steps += 1;
+    }
+    assert!((10..=60).contains(&steps), "{steps} steps for sixty rows");
+}
+
+#[test]
+fn a_ping_is_answered_and_replaces_nothing() {
+    let mut engine = Engine::new();
+    assert_eq!(only(pump(&mut engine, 7, Request::Ping)), Event::Pong);
+    pump(&mut engine, 1, corpus("six.csv", SIX));
+    engine.start(2, train(1));
+    next(&mut engine);
+    engine.start(8, Request::Ping);
+    assert_eq!(next(&mut engine), (8, Event::Pong));
+    let mut last = next(&mut engine);
+    while engine.busy() {
+        last = next(&mut engine);
+    }
+    assert!(matches!(last, (2, Event::Trained(_))), "{last:?}");
+}
+
+#[test]
+fn every_request_that_is_replaced_is_told_so() {
+    let (mut engine, _) = taught(2);
+    engine.start(10, train(2));
+    next(&mut engine);
+    engine.start(11, train(2));
+    engine.start(12, corpus("six.csv", SIX));
+    engine.start(13, Request::ShowRow { row: 0 });
+    assert_eq!(next(&mut engine), (10, Event::Cancelled));
+    assert_eq!(next(&mut engine), (11, Event::Cancelled));
+    assert_eq!(next(&mut engine), (12, Event::Cancelled));
+    assert!(matches!(next(&mut engine), (13, Event::Row { row: 0, .. })));
+    assert!(!engine.busy());
+    // Nothing is at work: there is nothing to cancel.
+    engine.start(14, Request::Cancel);
+    assert!(!engine.busy() && engine.step().is_none());
+}

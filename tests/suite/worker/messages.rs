@@ -1,0 +1,124 @@
+//! Messages between page and engine: each kind comes back from JSON as it went in, under its own name.
+
+use super::{corpus, settings, six};
+use groundling::worker::protocol::{
+    Answer, CorpusReport, Envelope, Event, PairText, PlanText, Problem, Progress, Reading, Request,
+    RowSummary, TrainReport, VERSION,
+};
+use serde::{Serialize, de::DeserializeOwned};
+use std::fmt::Debug;
+
+/// Sends each message through JSON; its `kind` must be what `name` says.
+#[track_caller]
+fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
+    messages: &[T],
+    kinds: usize,
+    name: impl Fn(&T) -> &'static str,
+) {
+    let mut seen: Vec<&str> = messages.iter().map(&name).collect();
+    seen.dedup();
+    assert_eq!(seen.len(), kinds, "a message of every kind: {seen:?}");
+    for (id, body) in (1..).zip(messages.iter().cloned()) {
+        let kind = name(&body);
+        let envelope = Envelope { groundling: VERSION, id, body };
+        let text = serde_json::to_string(&envelope).unwrap();
+        let value: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(value["body"]["kind"], kind, "{text}");
+        assert_eq!(value["groundling"], 1);
+        assert_eq!(serde_json::from_str::<Envelope<T>>(&text).unwrap(), envelope, "{text}");
+    }
+}
+
+#[test]
+fn requests_come_back_from_json() {
+    let state = six()[0].pairs[0].pre.clone();
+    let mut some = settings(3);
+    some.demonstrations = Some(2);
+    let messages = [
+        corpus("a \"b\".csv", "x,\"y\"\r\n\u{fffd}🤖"),
+        Request::ShowRow { row: 3 },
+        Request::Train { settings: settings(15) },
+        Request::Train { settings: some },
+        Request::OpenModel { text: "groundling model 1\nend\n".to_owned() },
+        Request::Ask { command: "go".to_owned(), state, pull: true },
+        Request::Cancel,
+        Request::Ping,
+    ];
+    come_back(&messages, 7, |request| match request {
+        Request::ReadCorpus { .. } => "read_corpus",
+        Request::ShowRow { .. } => "show_row",
+        Request::Train { .. } => "train",
+        Request::OpenModel { .. } => "open_model",
+        Request::Ask { .. } => "ask",
+        Request::Cancel => "cancel",
+        Request::Ping => "ping",
+    });
+}
+
+#[test]
+fn events_come_back_from_json() {
+    let pair = six()[0].pairs[0].clone();
+    let states = vec![pair.pre.clone(), pair.post.clone()];
+    let reading = Reading {
+        form: "p:t".to_owned(),
+        human: "¬p".to_owned(),
+        score: -1.5,
+        derivation: "go\n--".to_owned(),
+        failures: vec!["none".to_owned()],
+    };
+    let plan = PlanText { actions: vec!["north".to_owned()], states, expanded: 7, reason: None };
+    let answer = Answer {
+        command: "Go".to_owned(),
+        words: vec!["go".to_owned()],
+        readings: vec![reading],
+        skipped: vec![],
+        unknown: vec!["xyzzy".to_owned()],
+        reason: Some("tie".to_owned()),
+        plan: Some(plan),
+    };
+    let without = Answer { readings: vec![], reason: None, plan: None, ..answer.clone() };
+    let row = RowSummary { command: "go".to_owned(), task: Some("room".to_owned()), pairs: 3 };
+    let column = Some("Input.pre_1".to_owned());
+    let problem = Problem { line: 2, column, message: "mend it".to_owned(), kept: true };
+    let report = CorpusReport {
+        name: "six.csv".to_owned(),
+        rows: vec![row],
+        rejected: 1,
+        problems: vec![problem],
+    };
+    let progress = Progress {
+        epoch: 1,
+        epochs: 15,
+        example: 2,
+        examples: 6,
+        valid: 1,
+        updates: 0,
+        entries: 7,
+    };
+    let model = "groundling model 1\nend\n".to_owned();
+    let messages = [
+        Event::Ready,
+        Event::Pong,
+        Event::Crashed { message: "at line 1".to_owned() },
+        Event::Corpus(report),
+        Event::Row { row: 0, pairs: vec![PairText { pre: pair.pre, post: pair.post }] },
+        Event::Progress(progress),
+        Event::Trained(TrainReport { model, examples: 6, valid: 6, entries: 9 }),
+        Event::Answer(Box::new(answer)),
+        Event::Answer(Box::new(without)),
+        Event::Refused { message: "no".to_owned() },
+        Event::Cancelled,
+    ];
+    come_back(&messages, 10, |event| match event {
+        Event::Ready => "ready",
+        Event::Pong => "pong",
+        Event::Crashed { .. } => "crashed",
+        Event::Corpus(_) => "corpus",
+        Event::Row { .. } => "row",
+        Event::Progress(_) => "progress",
+        Event::Trained(_) => "trained",
+        Event::Answer(_) => "answer",
+        Event::Refused { .. } => "refused",
+        Event::Cancelled => "cancelled",
+    });
+}
