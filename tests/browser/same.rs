@@ -1,8 +1,11 @@
 //! What must come out the same everywhere (invariant 3): a report of the engine's work as text, held against
-//! `tests/data/same.txt` natively, in the page and in a dedicated worker.
+//! `tests/data/same.txt` natively, in the page and in a dedicated worker. That page and command line learn the
+//! same model to the last byte is held end to end.
 
-use groundling::domain::{Plan, generate};
+use groundling::domain::{Plan, State, generate};
 use groundling::logic::{Terms, print, read};
+use groundling::worker::job::Engine;
+use groundling::worker::protocol::{Event, Request, TrainSettings};
 use std::fmt::Write;
 
 /// What the report was when it was last looked at.
@@ -14,6 +17,11 @@ const TERMS: [&str; 3] = [
     "((lambda $0:<e,t> (exists:<<e,t>,t> $0)) (lambda $0:e (not:<t,t> (not:<t,t> (red:<e,t> $0)))))",
     "(or:<t*,t> (and:<t*,t> true:t false:t) (eq:<e,<e,t>> (argmax:<<e,t>,<<e,n>,e>> room:<e,t> size:<e,n>) (the:<<e,t>,e> door:<e,t>)))",
 ];
+
+/// What the parser is learned from, and the commands that are then tried.
+const CORPUS: &str = include_str!("../../assets/corpus/six.csv");
+const COMMANDS: [&str; 4] =
+    ["go to the blue room", "walk near the block", "go to the purple room", "room the go to the"];
 
 /// Fails when this machine does not come to the same results as all others.
 pub(crate) fn holds() {
@@ -33,7 +41,48 @@ fn report() -> String {
     }
     let worlds: String = (0..200).map(|seed| generate(&Plan::default(), seed).write()).collect();
     writeln!(out, "worlds {:016x}", fnv1a(&worlds)).expect("a string takes any text");
+    learned(&mut out);
     out
+}
+
+/// Trains on the six sentences and asks, through the engine that page and command line pump alike.
+fn learned(out: &mut String) {
+    let mut engine = Engine::new();
+    let name = "six.csv".to_owned();
+    last(&mut engine, Request::ReadCorpus { name, text: CORPUS.to_owned() });
+    let settings =
+        TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
+    match last(&mut engine, Request::Train { settings }) {
+        Some(Event::Trained(report)) => {
+            writeln!(out, "learned {} of {}", report.valid, report.examples)
+        }
+        other => writeln!(out, "no model: {other:?}"),
+    }
+    .expect("a string takes any text");
+    for (command, seed) in COMMANDS.into_iter().zip(0..) {
+        let state: State = generate(&Plan::default(), seed);
+        let request = Request::Ask { command: command.to_owned(), state, pull: false };
+        match last(&mut engine, request) {
+            Some(Event::Answer(answer)) => {
+                let reading = answer.readings.first();
+                let form = reading.map_or("nothing", |reading| reading.form.as_str());
+                let plan = answer.plan.map_or(0, |plan| plan.actions.len());
+                writeln!(out, "{command}: {form} {plan} {:?}", answer.reason)
+            }
+            other => writeln!(out, "{command}: {other:?}"),
+        }
+        .expect("a string takes any text");
+    }
+}
+
+/// Pumps a request to its end; the last thing that the engine says.
+fn last(engine: &mut Engine, request: Request) -> Option<Event> {
+    engine.start(1, request);
+    let mut last = None;
+    while engine.busy() {
+        last = engine.step().map(|(_, event)| event).or(last);
+    }
+    last
 }
 
 /// Fowler, Noll and Vo's hash, 64 bits.
