@@ -13,48 +13,52 @@ pub(crate) struct Row {
     seconds: Vec<f64>,
 }
 
+/// The CPU seconds that `work` takes.
+pub(crate) fn seconds(work: impl FnOnce()) -> f64 {
+    let start = Clock::now();
+    work();
+    start.elapsed().as_secs_f64()
+}
+
 impl Row {
     /// Runs `work` for `rounds` (after one that is not counted), each given its number; `reference` is what
     /// the reference system needs, in CPU seconds.
-    pub(crate) fn new(
+    pub(crate) fn of(
         name: &'static str,
         rounds: u64,
         reference: Option<f64>,
         mut work: impl FnMut(u64),
     ) -> Self {
         work(0);
-        let mut seconds: Vec<f64> = (1..=rounds)
-            .map(|round| {
-                let start = Clock::now();
-                work(round);
-                start.elapsed().as_secs_f64()
-            })
-            .collect();
-        seconds.sort_by(f64::total_cmp);
-        Self { name, reference, seconds }
+        let seconds = (1..=rounds).map(|round| seconds(|| work(round))).collect();
+        Self { reference, ..Self::from_seconds(name, seconds) }
     }
 
-    fn at(&self, share: f64) -> f64 {
+    /// A line of what was measured elsewhere.
+    pub(crate) fn from_seconds(name: &'static str, mut seconds: Vec<f64>) -> Self {
+        seconds.sort_by(f64::total_cmp);
+        Self { name, reference: None, seconds }
+    }
+
+    /// The least of the times that so many per cent of the rounds did not exceed.
+    fn percentile(&self, per_cent: usize) -> f64 {
         let last = self.seconds.len().saturating_sub(1);
-        self.seconds.get((last as f64 * share) as usize).copied().unwrap_or(f64::NAN)
+        self.seconds.get(last * per_cent / 100).copied().unwrap_or(f64::NAN)
     }
 }
 
 /// Prints the rows under a head.
 pub(crate) fn print_table(rows: &[Row]) {
-    println!(
-        "{:48} {:>12} {:>12} {:>12} {:>9}",
-        "CPU time", "median", "99 %", "reference", "ratio"
-    );
+    println!("{:40} {:>10} {:>10} {:>10} {:>8}", "CPU time", "median", "99 %", "reference", "ratio");
     for row in rows {
-        let (median, high) = (row.at(0.5), row.at(0.99));
-        let reference = row.reference.map_or(String::new(), readable);
-        let ratio = row.reference.map_or(String::new(), |r| format!("{:.0}×", r / median));
+        let median = row.percentile(50);
         println!(
-            "{:48} {:>12} {:>12} {reference:>12} {ratio:>9}",
+            "{:40} {:>10} {:>10} {:>10} {:>8}",
             row.name,
             readable(median),
-            readable(high)
+            readable(row.percentile(99)),
+            row.reference.map_or(String::new(), readable),
+            row.reference.map_or(String::new(), |r| format!("{:.0}×", r / median)),
         );
     }
 }

@@ -10,33 +10,105 @@
 #[path = "cpu.rs"]
 mod cpu;
 
-use cpu::{Row, print_table};
-use groundling::domain::{Plan, generate};
+use cpu::{Row, print_table, seconds};
+use groundling::domain::{Plan, Rules, State, generate};
+use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
+use groundling::plan::{AStar, Budget};
+use groundling::worker::job::Engine;
+use groundling::worker::protocol::{Event, Request, TrainSettings};
 use std::hint::black_box;
 
-/// "Go to the blue room" and a term with redexes.
-const TERMS: [&str; 2] = [
-    "(in:<e,<e,t>> (the:<<e,t>,e> agent:<e,t>) (the:<<e,t>,e> (lambda $0:e (and:<t*,t> (room:<e,t> $0) (blue:<e,t> $0)))))",
-    "((lambda $0:<e,t> (exists:<<e,t>,t> $0)) (lambda $0:e (and:<t*,t> (not:<t,t> (red:<e,t> $0)) (block:<e,t> $0))))",
-];
+/// The six sentences of the demonstration, and the paper's settings.
+const SIX: &str = include_str!("../../assets/corpus/six.csv");
+const SETTINGS: TrainSettings =
+    TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
+
+/// The reference system on the six sentences, in CPU seconds.
+const REFERENCE_SIX: f64 = 41.0;
+/// The reference library's breadth-first search: three objects, with pull.
+const REFERENCE_PLAN: f64 = 4.0;
+
+/// Three objects in three rooms, all to be put elsewhere.
+const MOVE_ALL: &str = "(and:<t*,t> \
+    (in:<e,<e,t>> (the:<<e,t>,e> (lambda $0:e (chair:<e,t> $0))) (the:<<e,t>,e> (lambda $0:e (and:<t*,t> (red:<e,t> $0) (room:<e,t> $0))))) \
+    (in:<e,<e,t>> (the:<<e,t>,e> (lambda $0:e (bag:<e,t> $0))) (the:<<e,t>,e> (lambda $0:e (and:<t*,t> (blue:<e,t> $0) (room:<e,t> $0))))) \
+    (in:<e,<e,t>> (the:<<e,t>,e> (lambda $0:e (box:<e,t> $0))) (the:<<e,t>,e> (lambda $0:e (and:<t*,t> (green:<e,t> $0) (room:<e,t> $0))))))";
+const THREE_OBJECTS: &str = r#"{"agent":{"x":6,"y":6,"direction":"south"},
+"rooms":[{"name":"room0","color":"green","left":0,"bottom":0,"right":8,"top":4},
+{"name":"room1","color":"blue","left":0,"bottom":4,"right":4,"top":8},
+{"name":"room2","color":"red","left":4,"bottom":4,"right":8,"top":8}],
+"doors":[{"name":"door0","left":6,"bottom":4,"right":6,"top":4,"lock":"unlocked"},
+{"name":"door1","left":2,"bottom":4,"right":2,"top":4,"lock":"unlocked"}],
+"objects":[{"name":"object0","shape":"chair","color":"tan","x":2,"y":2},
+{"name":"object1","shape":"bag","color":"teal","x":5,"y":2},
+{"name":"object2","shape":"box","color":"brown","x":6,"y":7}]}"#;
 
 fn main() {
-    let rows = [
-        Row::new("read, reduce and print 2 terms, new arena", 2_000, None, reduce),
-        Row::new("generate a world", 2_000, None, world),
+    let mut rows = vec![
+        Row::of("generate a world", 2_000, None, |round| {
+            black_box(generate(&Plan::default(), round));
+        }),
+        Row::of("read and print a goal, new arena", 2_000, None, |_| {
+            let mut terms = Terms::new();
+            let goal = read(&mut terms, MOVE_ALL).unwrap();
+            black_box(print(&terms, goal));
+        }),
+        Row::of("train: six sentences, 15 epochs", 10, Some(REFERENCE_SIX), |_| {
+            trained();
+        }),
     ];
+    let mut engine = Engine::new();
+    let steps = steps(&mut engine);
+    rows.push(Row::from_seconds("train: one step (never over 16 ms)", steps));
+    rows.push(Row::of("answer: parse, ground and plan", 200, None, |round| {
+        let state = generate(&Plan::default(), round);
+        let command = "go to the blue room".to_owned();
+        black_box(pump(&mut engine, Request::Ask { command, state, pull: false }));
+    }));
+    rows.push(Row::of("plan: three objects with pull", 20, Some(REFERENCE_PLAN), |_| plan()));
     print_table(&rows);
 }
 
-fn reduce(_round: u64) {
-    let mut terms = Terms::new();
-    for text in TERMS {
-        let term = read(&mut terms, text).unwrap();
-        black_box(print(&terms, term));
-    }
+/// Reads and learns the six sentences in a new engine.
+fn trained() -> Engine {
+    let mut engine = Engine::new();
+    let name = "six.csv".to_owned();
+    pump(&mut engine, Request::ReadCorpus { name, text: SIX.to_owned() });
+    let last = pump(&mut engine, Request::Train { settings: SETTINGS });
+    assert!(matches!(last, Some(Event::Trained(_))), "{last:?}");
+    engine
 }
 
-fn world(round: u64) {
-    black_box(generate(&Plan::default(), round));
+/// What each step of training costs, in seconds; the engine is trained then.
+fn steps(engine: &mut Engine) -> Vec<f64> {
+    let name = "six.csv".to_owned();
+    pump(engine, Request::ReadCorpus { name, text: SIX.to_owned() });
+    engine.start(1, Request::Train { settings: SETTINGS });
+    let mut steps = Vec::new();
+    while engine.busy() {
+        steps.push(seconds(|| {
+            black_box(engine.step());
+        }));
+    }
+    steps
+}
+
+/// Pumps a request to its end; the last thing that the engine says.
+fn pump(engine: &mut Engine, request: Request) -> Option<Event> {
+    engine.start(1, request);
+    let mut last = None;
+    while engine.busy() {
+        last = engine.step().map(|(_, event)| event).or(last);
+    }
+    last
+}
+
+fn plan() {
+    let initial = State::read(THREE_OBJECTS).unwrap();
+    let mut terms = Terms::new();
+    let goal = read(&mut terms, MOVE_ALL).unwrap();
+    let goal = Goal::new(&terms, goal, &initial).unwrap();
+    let task = Task::new(&goal, &initial, Rules { pull: true }).unwrap();
+    black_box(AStar::new(&task, Budget::default()).run());
 }

@@ -27,8 +27,8 @@ export class Flow {
     this.address = address;
     /** What went wrong in the page by itself. */
     this.problems = [];
-    /** Problems that the flow provokes, as regular expressions. */
-    this.expected = [];
+    /** Problems that the flow provokes, as regular expressions; and what Chromium says of itself without a GPU. */
+    this.expected = [/^console: No available adapters\.$/];
   }
 
   /** Opens a page at `address`, watched from its first moment. */

@@ -50,6 +50,7 @@ flow('a plan is paused, stepped, scrubbed and undone', async (t) => {
   await demo.train();
   const start = await demo.robot();
   await demo.ask('go to the blue room');
+  await t.until('the first step', async () => (await demo.by('plan').getAttribute('data-at')) !== '0');
   await demo.by('plan-play').click();
   await demo.by('plan-first').click();
   t.equal(await demo.robot(), start, 'back at the start');
