@@ -74,7 +74,7 @@ fn parsing(reason: &str, answer: &Answer) -> Message {
         ),
         "too_long" => message(
             "too_long",
-            format!("This command has {} words; more than 50 are not read.", answer.words.len()),
+            "This command has more than 50 words; one that long is not read.",
             "Say it in fewer words, or in several commands one after the other.",
         ),
         "unknown_words" => message(

@@ -49,7 +49,10 @@ impl Row {
 
 /// Prints the rows under a head.
 pub(crate) fn print_table(rows: &[Row]) {
-    println!("{:40} {:>10} {:>10} {:>10} {:>8}", "CPU time", "median", "99 %", "reference", "ratio");
+    println!(
+        "{:40} {:>10} {:>10} {:>10} {:>8}",
+        "CPU time", "median", "99 %", "reference", "ratio"
+    );
     for row in rows {
         let median = row.percentile(50);
         println!(

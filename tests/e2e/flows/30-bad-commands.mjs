@@ -5,10 +5,11 @@ import { openPage } from '../page.mjs';
 
 /** Commands, the kind of the answer, and what its words must hold. */
 const COMMANDS = [
-  ['two hundred words', 'go to the blue room '.repeat(40), 'too_long', /200[^]*50/],
+  ['two hundred words', 'go to the blue room '.repeat(40), 'too_long', /more than 50/],
   ['nothing', '   ', 'empty', /no word/i],
-  ['emoji', '🤖🚪🟦', 'unknown_words', /🤖/],
-  ['a word never seen', 'go to the purple room', 'unknown_words', /purple/],
+  ['emoji', '🤖🚪🟦', 'empty', /no word/i],
+  ['nothing but words never seen', 'fetch my slippers', 'unknown_words', /slippers/],
+  ['a word never seen', 'go to the purple room', 'skipped', /purple/],
   ['words that do not fit', 'room the to the go', 'no_parse', /fit|order/],
   ['markup', '<img src=x onerror=alert(1)> room', 'unknown_words', /onerror/],
 ];
