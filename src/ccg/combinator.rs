@@ -27,7 +27,7 @@ pub struct Shift {
     /// Its name in derivations and features.
     pub name: &'static str,
     from: Atom,
-    to: (Atom, Direction, Atom),
+    to: fn(&mut Syntaxes) -> SyntaxId,
     meaning: fn(&mut Terms, TermId) -> Result<TermId, LogicError>,
 }
 
@@ -120,12 +120,19 @@ pub const RULES: &[Rule] = &[
 ];
 
 /// The unary rules. The order is the order of ties.
-pub const SHIFTS: &[Shift] = &[Shift {
-    name: "PP=>N\\N",
-    from: Atom::PP,
-    to: (Atom::N, Direction::Left, Atom::N),
-    meaning: modifier,
-}];
+pub const SHIFTS: &[Shift] = &[
+    Shift {
+        name: "PP=>N\\N",
+        from: Atom::PP,
+        to: |all| {
+            let noun = all.atom(Atom::N);
+            all.slash(noun, Direction::Left, noun)
+        },
+        meaning: modifier,
+    },
+    // "go to blue room": telegraphic speech leaves the article out.
+    Shift { name: "N=>NP", from: Atom::N, to: |all| all.atom(Atom::NP), meaning: the_one },
+];
 
 /// `λy. g(y)(x)` for `x g`: `x` raised to `λf. f(x)` and composed with `g`.
 fn raised_composition(terms: &mut Terms, x: TermId, g: TermId) -> Result<TermId, LogicError> {
@@ -146,6 +153,14 @@ fn conjoin_properties(terms: &mut Terms, f: TermId, g: TermId) -> Result<TermId,
     let both = [terms.apply(f, x)?, terms.apply(g, x)?];
     let body = terms.conjoin(&both)?;
     terms.lambda(ty::ENTITY, body)
+}
+
+/// `the(f)`
+fn the_one(terms: &mut Terms, f: TermId) -> Result<TermId, LogicError> {
+    let property = terms.types.function(ty::ENTITY, ty::TRUTH);
+    let determiner = terms.types.function(property, ty::ENTITY);
+    let the = terms.constant_term("the", determiner)?;
+    terms.apply(the, f)
 }
 
 /// `λf. λx. f(x) ∧ p(x)`
@@ -214,9 +229,7 @@ impl Grammar {
                 continue;
             }
             let Ok(meaning) = (shift.meaning)(&mut self.terms, category.meaning) else { continue };
-            let (result, direction, argument) = shift.to;
-            let (result, argument) = (self.syntaxes.atom(result), self.syntaxes.atom(argument));
-            let syntax = self.syntaxes.slash(result, direction, argument);
+            let syntax = (shift.to)(&mut self.syntaxes);
             shifted.push((RuleId(row), Category { syntax, meaning }));
         }
         shifted

@@ -1,4 +1,4 @@
-//! The text form of a seed lexicon, which a person can read and change. A line is `words :- SYNTAX : meaning`;
+//! The text form of a seed lexicon, which a person can read and change. A line is `words | words :- SYNTAX : meaning`;
 //! `*` in place of words gives a template alone, whose holes are constants with a name that begins with `?`;
 //! `frame` and `commutative` lines name constants; `#` begins a comment.
 
@@ -65,6 +65,10 @@ fn read_line(model: &mut Model, line: &str) -> Result<(), String> {
         model.lexicon.add_template(syntax, factored.template, factored.constants.len());
         return Ok(());
     }
+    phrase.split('|').try_for_each(|phrase| add_entry(model, phrase, category))
+}
+
+fn add_entry(model: &mut Model, phrase: &str, category: Category) -> Result<(), String> {
     let words: Box<[Box<str>]> = words(phrase).into_iter().map(Box::from).collect();
     if words.is_empty() {
         return Err("there are no words before :-".to_owned());
