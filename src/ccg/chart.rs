@@ -129,7 +129,7 @@ impl Chart {
         words: usize,
         lexical: Vec<Lexical>,
         rule_score: impl Fn(RuleId) -> f64,
-        admit: impl FnMut(&Grammar, Category) -> bool,
+        admit: impl FnMut(&Grammar, (usize, usize), Category) -> bool,
         config: ChartConfig,
     ) -> Chart {
         let spans = vec![Span::default(); words * (words + 1)];
@@ -146,7 +146,7 @@ impl Chart {
         for (index, item) in (0..).zip(&chart.lexical) {
             items[item.start * (words + 1) + item.end].push(index);
         }
-        let cell = Cell { edges: Vec::new(), known: FxHashMap::default(), admit };
+        let cell = Cell { span: (0, 0), edges: Vec::new(), known: FxHashMap::default(), admit };
         let mut filling = Filling { chart, grammar, rule_score, config, items, cell };
         for width in 1..=words {
             for start in 0..=words - width {
@@ -169,6 +169,32 @@ impl Chart {
     /// The edges over the whole sentence, best first.
     pub fn roots(&self) -> std::ops::Range<u32> {
         if self.words == 0 { 0..0 } else { self.at(0, self.words).edges.clone() }
+    }
+
+    /// The edges that lead up to any of `tops`, which are of this chart, with their spans.
+    pub fn below(&self, tops: impl IntoIterator<Item = u32>) -> Vec<(usize, usize, u32)> {
+        let mut seen = vec![false; self.edges.len()];
+        let mut open: Vec<(usize, usize, u32)> =
+            tops.into_iter().map(|edge| (0, self.words, edge)).collect();
+        let mut found = Vec::new();
+        while let Some((start, end, edge)) = open.pop() {
+            if std::mem::replace(&mut seen[edge as usize], true) {
+                continue;
+            }
+            found.push((start, end, edge));
+            for step in self.steps(edge) {
+                match step {
+                    Step::Lexical(_) => {}
+                    Step::Shift { child, .. } => open.push((start, end, child)),
+                    Step::Binary { left, right, .. } => {
+                        let is_left = |split: &usize| self.at(start, *split).edges.contains(&left);
+                        let split = (start + 1..end).find(is_left).unwrap_or(end);
+                        open.extend([(start, split, left), (split, end, right)]);
+                    }
+                }
+            }
+        }
+        found
     }
 
     /// Every derivation of an edge that was kept, the best first.
@@ -200,6 +226,7 @@ struct Filling<'a, F, A> {
 
 /// The edges of the span at work, by category and how they were made.
 struct Cell<A> {
+    span: (usize, usize),
     edges: Vec<Edge>,
     /// The place of an edge among them, or `NONE` for one that is not admitted.
     known: FxHashMap<(Category, Made), u32>,
@@ -215,9 +242,10 @@ struct Found {
     split: u32,
 }
 
-impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, Category) -> bool> Filling<'_, F, A> {
+impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, F, A> {
     fn span(&mut self, start: usize, end: usize) {
         self.cell.known.clear();
+        self.cell.span = (start, end);
         let items = std::mem::take(&mut self.items[start * (self.chart.words + 1) + end]);
         for index in items {
             let Lexical { category, score, .. } = self.chart.lexical[index as usize];
@@ -329,13 +357,13 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, Category) -> bool> Filling<'_, F, 
     }
 }
 
-impl<A: FnMut(&Grammar, Category) -> bool> Cell<A> {
+impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Cell<A> {
     /// Adds a derivation: a new edge, a better way to a known one, or another way, kept if there is a place for it.
     fn add(&mut self, grammar: &Grammar, others: Option<&mut Vec<(Step, u32)>>, found: Found) {
         let Found { category, made, score, step, split } = found;
-        let Cell { edges, known, admit } = self;
+        let Cell { span, edges, known, admit } = self;
         let place = *known.entry((category, made)).or_insert_with(|| {
-            if !admit(grammar, category) {
+            if !admit(grammar, *span, category) {
                 return NONE;
             }
             edges.push(Edge { category, made, score, step, other: NONE, split });

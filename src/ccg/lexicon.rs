@@ -7,7 +7,7 @@ use super::factor::{factor, instantiate};
 use super::syntax::SyntaxId;
 use crate::logic::{ConstantId, LogicError, Node, TermId, TyId};
 use indexmap::{IndexMap, IndexSet};
-use rustc_hash::{FxBuildHasher, FxHashMap};
+use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 
 /// Words and constants that belong together.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -74,6 +74,7 @@ pub struct Lexicon {
     templates: IndexSet<Template, FxBuildHasher>,
     entries: IndexMap<Entry, Known, FxBuildHasher>,
     by_words: FxHashMap<Box<[Box<str>]>, Vec<EntryId>>,
+    vocabulary: FxHashSet<Box<str>>,
     longest: usize,
     /// The lexicon proper, in the order the entries came into it.
     admitted: Vec<EntryId>,
@@ -140,8 +141,7 @@ impl Lexicon {
 
     /// Whether the word occurs in any entry of the lexicon proper.
     pub fn knows(&self, word: &str) -> bool {
-        // Linear in the number of phrases, asked only to explain a failure.
-        self.by_words.keys().any(|words| words.iter().any(|known| &**known == word))
+        self.vocabulary.contains(word)
     }
 
     /// Adds a template: a meaning abstracted over `holes` holes.
@@ -232,6 +232,7 @@ impl Lexicon {
         if new {
             let words = self.lexemes[lexeme.0 as usize].words.clone();
             self.longest = self.longest.max(words.len());
+            self.vocabulary.extend(words.iter().cloned());
             self.by_words.entry(words).or_default().push(id);
             self.admitted.push(id);
         }

@@ -63,6 +63,7 @@ pub struct Parse {
     pub reason: Option<Reason>,
     /// Derivations tried, in both passes.
     pub tried: usize,
+    parsed: Vec<String>,
     chart: Chart,
 }
 
@@ -88,7 +89,20 @@ impl Parse {
         if self.tied() == 1 { self.readings.first().copied() } else { None }
     }
 
-    /// The best derivation of a reading.
+    /// The next attempt at the same command: what it found, and what both have tried.
+    fn or_else(self, mut next: Parse) -> Parse {
+        next.tried += self.tried;
+        next.chart.over_budget |= self.chart.over_budget;
+        next
+    }
+
+    /// The words that the derivations are of: those of the command that the lexicon knows, where others were
+    /// skipped.
+    pub fn parsed_words(&self) -> &[String] {
+        &self.parsed
+    }
+
+    /// The best derivation of a reading, over [`Parse::parsed_words`].
     pub fn derivation(&self, reading: Reading) -> Derivation {
         Derivation::of(&self.chart, reading.edge, &EntryId::from_item)
     }
@@ -103,27 +117,53 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
         _ => None,
     };
     if reason.is_some() {
-        let chart = Chart::fill(&mut model.grammar, 0, Vec::new(), |_| 0.0, |_, _| true, config);
-        return Parse { words, readings: Vec::new(), skipped: Vec::new(), reason, tried: 0, chart };
+        let chart = Chart::fill(&mut model.grammar, 0, Vec::new(), |_| 0.0, |_, _, _| true, config);
+        let (readings, skipped, parsed) = (Vec::new(), Vec::new(), Vec::new());
+        return Parse { words, readings, skipped, reason, tried: 0, parsed, chart };
     }
     let lexical = lexical_items(model, &words);
-    let first = fill(model, &words, lexical, |_, _| true, config);
+    let first = fill(model, &words, lexical, |_, _, _| true, config);
     if !first.readings.is_empty() {
         return first;
     }
-    let lexical = with_skips(model, &words);
-    let mut second = fill(model, &words, lexical, |_, _| true, config);
-    second.tried += first.tried;
-    if let Some(&best) = second.readings.first() {
-        second.skipped = skipped_words(model, &second.derivation(best), &words);
-    } else if first.chart.over_budget || second.chart.over_budget {
-        second.reason = Some(Reason::Budget);
-    } else if words.iter().any(|word| !model.lexicon.knows(word)) {
-        second.reason = Some(Reason::UnknownWords);
-    } else {
-        second.reason = Some(Reason::NoParse);
+    // Words that the lexicon does not know are skipped in any case; what is left may parse as it stands.
+    let (known, unknown): (Vec<String>, Vec<String>) =
+        words.iter().cloned().partition(|word| model.lexicon.knows(word));
+    let mut second = first;
+    if !unknown.is_empty() && !known.is_empty() {
+        let lexical = lexical_items(model, &known);
+        second = second.or_else(fill(model, &known, lexical, |_, _, _| true, config));
     }
+    if second.readings.is_empty() && !known.is_empty() {
+        let lexical = with_skips(model, &known);
+        second = second.or_else(fill(model, &known, lexical, |_, _, _| true, config));
+    }
+    let cost = model.features.value(Feature::Skip) * unknown.len() as f64;
+    second.readings.iter_mut().for_each(|reading| reading.score += cost);
+    if let Some(&best) = second.readings.first() {
+        let others = skipped_words(model, &second.derivation(best), &known);
+        second.skipped = in_order(&words, unknown, others);
+    } else if second.chart.over_budget {
+        second.reason = Some(Reason::Budget);
+    } else if unknown.is_empty() {
+        second.reason = Some(Reason::NoParse);
+    } else {
+        second.reason = Some(Reason::UnknownWords);
+    }
+    second.words = words;
     second
+}
+
+/// The skipped words in the order of the sentence.
+fn in_order(words: &[String], unknown: Vec<String>, others: Vec<String>) -> Vec<String> {
+    let mut skipped = Vec::with_capacity(unknown.len() + others.len());
+    let (mut unknown, mut others) = (unknown.into_iter().peekable(), others.into_iter().peekable());
+    for word in words {
+        if unknown.next_if_eq(word).is_some() || others.next_if_eq(word).is_some() {
+            skipped.push(word.clone());
+        }
+    }
+    skipped
 }
 
 /// Parses words from given lexical items, whose `item` is an entry's number, without the edges that `admit`
@@ -132,7 +172,7 @@ pub fn fill(
     model: &mut Model,
     words: &[String],
     lexical: Vec<Lexical>,
-    admit: impl FnMut(&Grammar, Category) -> bool,
+    admit: impl FnMut(&Grammar, (usize, usize), Category) -> bool,
     config: ChartConfig,
 ) -> Parse {
     let features = &model.features;
@@ -140,8 +180,9 @@ pub fn fill(
     let chart = Chart::fill(&mut model.grammar, words.len(), lexical, rule_score, admit, config);
     let readings = readings(model, &chart);
     let tried = chart.tried;
+    let (parsed, skipped) = (words.to_vec(), Vec::new());
     let mut parse =
-        Parse { words: words.to_vec(), readings, skipped: Vec::new(), reason: None, tried, chart };
+        Parse { words: parsed.clone(), readings, skipped, reason: None, tried, parsed, chart };
     if parse.tied() > 1 {
         parse.reason = Some(Reason::Tie);
     }

@@ -1,15 +1,14 @@
 //! Coarse lexical generation (Artzi and Zettlemoyer 2013, Section 6): every span of a few words is tried in every
 //! template with one placeholder constant a type; what a full parse used is filled in with every constant of the
-//! type. What comes out are candidates: only validation makes them entries. The coarse parse knows the seed
-//! lexicon and its weights alone, so that candidates are a function of the sentence and can be made again.
+//! type. What comes out are candidates: only validation makes them entries.
 
 use crate::ccg::chart::{Chart, ChartConfig, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
-use crate::ccg::lexicon_text::{SEED_LEXEME, seed_weight};
 use crate::ccg::parse::lexical_items;
-use crate::ccg::{Atom, Category, EntryId, Model, Origin, TemplateId};
+use crate::ccg::{Atom, Category, EntryId, Feature, Grammar, Model, Origin, SyntaxId, TemplateId};
 use crate::logic::{ConstantId, TyId, ty};
+use rustc_hash::FxHashSet;
 
 /// Words that a generated lexeme may have.
 pub const MAX_SPAN: usize = 4;
@@ -27,23 +26,48 @@ pub struct Candidate {
     pub entry: EntryId,
 }
 
-/// The candidates for a sentence.
-pub fn candidates(model: &mut Model, words: &[String], config: ChartConfig) -> Vec<Candidate> {
+/// Which spans of a sentence may get new entries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope {
+    /// Those with a word that the lexicon does not know.
+    UnknownWords,
+    /// All: a known word may mean something else, too.
+    AllWords,
+}
+
+/// What lexical generation found for a sentence.
+#[derive(Clone, Debug, Default)]
+pub struct Generated {
+    /// The candidates.
+    pub candidates: Vec<Candidate>,
+    /// The syntactic categories that took part in a full coarse parse, by span: no other can lead to one.
+    pub useful: FxHashSet<(usize, usize, SyntaxId)>,
+}
+
+/// The candidates for a sentence, as the model stands.
+pub fn generate(
+    model: &mut Model,
+    words: &[String],
+    scope: Scope,
+    config: ChartConfig,
+) -> Generated {
     let templates = coarse_categories(model);
-    let chart = coarse_chart(model, words, &templates, config);
-    let mut found = Vec::new();
-    for (start, end, template) in used_templates(model, &chart, &templates) {
+    let chart = coarse_chart(model, words, scope, &templates, config);
+    let mut generated = Generated::default();
+    for (start, end, template) in used_templates(model, &chart, &templates, &mut generated.useful) {
         let words: Box<[Box<str>]> =
             words[start..end].iter().map(|word| Box::from(word.as_str())).collect();
         for constants in fillings(model, template) {
             let lexeme = Lexeme { words: words.clone(), constants: constants.into() };
             let added = model.lexicon.add(&mut model.grammar, lexeme, template, Origin::Candidate);
-            if let Ok(entry) = added {
-                found.push(Candidate { start, end, entry });
+            if let Ok(entry) = added
+                && model.lexicon.origin(entry) == Origin::Candidate
+            {
+                generated.candidates.push(Candidate { start, end, entry });
             }
         }
     }
-    found
+    generated
 }
 
 /// Every template with placeholders in its holes.
@@ -67,55 +91,54 @@ fn coarse_categories(model: &mut Model) -> Vec<(TemplateId, Category)> {
 fn coarse_chart(
     model: &mut Model,
     words: &[String],
+    scope: Scope,
     templates: &[(TemplateId, Category)],
     config: ChartConfig,
 ) -> Chart {
-    let n_templates = templates.len() as u32;
     let mut items = lexical_items(model, words);
-    items.retain(|item| model.lexicon.origin(EntryId::from_item(item.item)) == Origin::Seed);
     for item in &mut items {
-        item.score = SEED_LEXEME + seed_weight(item.end - item.start);
-        item.item += n_templates;
+        item.item += templates.len() as u32;
     }
+    let unknown: Vec<bool> = words.iter().map(|word| !model.lexicon.knows(word)).collect();
     for start in 0..words.len() {
         for end in start + 1..=(start + MAX_SPAN).min(words.len()) {
+            if scope == Scope::UnknownWords && !unknown[start..end].contains(&true) {
+                continue;
+            }
             for (item, &(_, category)) in (0..).zip(templates) {
                 items.push(Lexical { start, end, skipped: 0, category, score: 0.0, item });
             }
         }
     }
+    let features = &model.features;
+    let rule_score = |rule| features.value(Feature::Rule(rule));
     let config = ChartConfig { all_derivations: true, allow_vacuous: true, ..config };
-    Chart::fill(&mut model.grammar, words.len(), items, |_| 0.0, |_, _| true, config)
+    let all = |_: &Grammar, _: (usize, usize), _: Category| true;
+    Chart::fill(&mut model.grammar, words.len(), items, rule_score, all, config)
 }
 
-/// The templates that any full parse in the chart used, with their spans, in order and once each.
+/// The templates that any full parse in the chart used, with their spans, in order and once each. Every category
+/// on the way is put into `useful`.
 fn used_templates(
     model: &mut Model,
     chart: &Chart,
     templates: &[(TemplateId, Category)],
+    useful: &mut FxHashSet<(usize, usize, SyntaxId)>,
 ) -> Vec<(usize, usize, TemplateId)> {
     let sentence = model.grammar.syntaxes.atom(Atom::S);
     let is_goal = |&edge: &u32| {
         let category = chart.edge(edge).category;
         category.syntax == sentence && model.grammar.terms.ty(category.meaning) == ty::TRUTH
     };
-    let mut open: Vec<u32> = chart.roots().filter(is_goal).collect();
-    let mut seen = vec![false; chart.n_edges()];
     let mut used = Vec::new();
-    while let Some(edge) = open.pop() {
-        if std::mem::replace(&mut seen[edge as usize], true) {
-            continue;
-        }
+    for (start, end, edge) in chart.below(chart.roots().filter(is_goal)) {
+        useful.insert((start, end, chart.edge(edge).category.syntax));
         for step in chart.steps(edge) {
-            match step {
-                Step::Binary { left, right, .. } => open.extend([left, right]),
-                Step::Shift { child, .. } => open.push(child),
-                Step::Lexical(index) => {
-                    let item = &chart.lexical[index as usize];
-                    if let Some(&(template, _)) = templates.get(item.item as usize) {
-                        used.push((item.start, item.end, template));
-                    }
-                }
+            if let Step::Lexical(index) = step
+                && let Some(&(template, _)) =
+                    templates.get(chart.lexical[index as usize].item as usize)
+            {
+                used.push((start, end, template));
             }
         }
     }

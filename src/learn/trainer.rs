@@ -1,7 +1,7 @@
 //! Training as a resumable walk over epochs and examples: generate candidates, keep those of the best valid
 //! parses, update the weights (Artzi and Zettlemoyer 2013). A function of corpus, settings and seed alone.
 
-use super::genlex::{Candidate, candidates};
+use super::genlex::{Candidate, Generated, Scope, generate};
 use super::perceptron::{Judged, update};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
@@ -10,7 +10,6 @@ use crate::corpus::Example;
 use crate::ground::{PairId, Validator};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
-use rustc_hash::FxHashMap;
 
 /// The settings of a training run; the default is the paper's.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,7 +103,7 @@ enum Phase {
     /// It is parsed with the lexicon; a valid parse, or none to be hoped for, leads to the update.
     Explain,
     /// New entries are generated first.
-    Generate,
+    Generate(Scope),
 }
 
 /// Why a run cannot go on from a checkpoint.
@@ -125,8 +124,6 @@ pub struct Trainer {
     config: Config,
     items: Vec<Item>,
     validator: Validator,
-    /// Candidates by sentence: they depend on the seed lexicon's frames and are made once.
-    generated: FxHashMap<Vec<String>, Vec<Candidate>>,
     order: Vec<u32>,
     epoch: u32,
     next: usize,
@@ -160,7 +157,6 @@ impl Trainer {
             config,
             items,
             validator,
-            generated: FxHashMap::default(),
             order: Vec::new(),
             epoch: 0,
             next: 0,
@@ -276,16 +272,23 @@ impl Trainer {
             return None;
         }
         let at = *self.order.get(self.next)? as usize;
-        let phase = std::mem::replace(&mut self.phase, Phase::Explain);
-        if phase == Phase::Generate {
-            self.generate(at);
+        if let Phase::Generate(scope) = self.phase {
+            self.generate(at, scope);
         }
         let judged = self.judge(at);
         let explained = judged.iter().any(|reading| reading.valid);
-        if phase == Phase::Explain && !explained && self.epoch <= self.config.generations {
-            self.phase = Phase::Generate;
-            return None;
+        if !explained && self.epoch <= self.config.generations {
+            let next = match self.phase {
+                Phase::Explain => Some(Scope::UnknownWords),
+                Phase::Generate(Scope::UnknownWords) => Some(Scope::AllWords),
+                Phase::Generate(Scope::AllWords) => None,
+            };
+            if let Some(scope) = next {
+                self.phase = Phase::Generate(scope);
+                return None;
+            }
         }
+        self.phase = Phase::Explain;
         let moment = self.visits();
         let updated = update(&mut self.model.features, &judged, self.config.margin, moment);
         self.so_far.valid += usize::from(explained);
@@ -320,32 +323,18 @@ impl Trainer {
     }
 
     /// Lexical generation for a sentence that the lexicon cannot explain: the candidates that the best valid parse
-    /// uses become entries. Phrases that denote nothing before the demonstrations cannot be part of it.
-    fn generate(&mut self, at: usize) {
-        let Item { words, pairs } = &self.items[at];
+    /// uses become entries.
+    fn generate(&mut self, at: usize, scope: Scope) {
+        let words = &self.items[at].words;
         if !can_parse(words) {
             return;
         }
         let config = self.chart_config(self.config.lexical_beam);
-        let candidates = self
-            .generated
-            .entry(words.clone())
-            .or_insert_with(|| candidates(&mut self.model, words, config));
-        let mut items = lexical_items(&self.model, words);
-        for candidate in candidates {
-            if self.model.lexicon.origin(candidate.entry) == Origin::Candidate {
-                let Candidate { start, end, entry } = *candidate;
-                items.push(lexical_item(&self.model, entry, start, end));
-            }
+        let generated = generate(&mut self.model, words, scope, config);
+        if generated.candidates.is_empty() {
+            return;
         }
-        let config = self.chart_config(self.config.beam);
-        let validator = &mut self.validator;
-        let admit = |grammar: &Grammar, category: Category| {
-            let phrase =
-                [Atom::N, Atom::NP].iter().any(|&a| grammar.syntaxes.is(category.syntax, a));
-            !phrase || validator.denotes(&grammar.terms, category.meaning, pairs)
-        };
-        let parse = fill(&mut self.model, words, items, admit, config);
+        let parse = self.parse_with(at, &generated);
         let mut additions: Vec<Vec<EntryId>> = Vec::new();
         for reading in self.best_valid(&parse, at) {
             let derivation = parse.derivation(reading);
@@ -360,6 +349,29 @@ impl Trainer {
                 self.model.lexicon.admit(entry, Origin::Learned);
             }
         }
+    }
+
+    /// A parse with lexicon and candidates. Phrases that denote nothing before the demonstrations, and categories
+    /// that lead nowhere, are left out.
+    fn parse_with(&mut self, at: usize, generated: &Generated) -> Parse {
+        let Item { words, pairs } = &self.items[at];
+        let mut items = lexical_items(&self.model, words);
+        for &Candidate { start, end, entry } in &generated.candidates {
+            items.push(lexical_item(&self.model, entry, start, end));
+        }
+        let validator = &mut self.validator;
+        let admit = |grammar: &Grammar, (start, end): (usize, usize), category: Category| {
+            let is = |atom| grammar.syntaxes.is(category.syntax, atom);
+            generated.useful.contains(&(start, end, category.syntax))
+                && (!(is(Atom::N) || is(Atom::NP))
+                    || validator.denotes(&grammar.terms, category.meaning, pairs))
+        };
+        let config = ChartConfig {
+            beam: self.config.beam as usize,
+            budget: self.config.budget,
+            ..ChartConfig::default()
+        };
+        fill(&mut self.model, words, items, admit, config)
     }
 
     /// The valid readings that no other valid reading outscores.
@@ -387,7 +399,7 @@ impl Trainer {
         }
         let items = lexical_items(&self.model, words);
         let config = self.chart_config(self.config.beam);
-        let parse = fill(&mut self.model, words, items, |_, _| true, config);
+        let parse = fill(&mut self.model, words, items, |_, _, _| true, config);
         self.so_far.over_budget += usize::from(parse.over_budget());
         let mut judged = Vec::with_capacity(parse.readings.len());
         for &reading in &parse.readings {

@@ -88,18 +88,27 @@ fn meanings_combine_with_the_words() {
 }
 
 #[test]
-fn a_prepositional_phrase_becomes_a_modifier() {
+fn shifts_make_modifiers_of_prepositional_phrases_and_definites_of_bare_nouns() {
     let mut grammar = Grammar::default();
-    let pp = category(&mut grammar, "PP : (lambda $0:e (near:<e,<e,t>> $0 a:e))");
-    let [(rule, shifted)] = grammar.shifts(pp)[..] else { panic!("not one shift") };
-    assert_eq!(rule.name(), "PP=>N\\N");
-    assert_eq!(
-        shifted.print(&grammar.syntaxes, &grammar.terms),
-        r"N\N : (lambda $0:<e,t> (lambda $1:e (and:<t*,t> (near:<e,<e,t>> $1 a:e) ($0 $1))))",
-    );
-    for other in ["N : room:<e,t>", "PP/NP : (lambda $0:e (lambda $1:e p:t))", "PP : p:t"] {
-        let category = category(&mut grammar, other);
-        assert_eq!(grammar.shifts(category), [], "{other}");
+    for (from, expected) in [
+        (
+            "PP : (lambda $0:e (near:<e,<e,t>> $0 a:e))",
+            r"PP=>N\N N\N : (lambda $0:<e,t> (lambda $1:e (and:<t*,t> (near:<e,<e,t>> $1 a:e) ($0 $1))))",
+        ),
+        ("N : room:<e,t>", "N=>NP NP : (the:<<e,t>,e> (lambda $0:e (room:<e,t> $0)))"),
+        ("PP/NP : (lambda $0:e (lambda $1:e p:t))", ""),
+        ("PP : p:t", ""),
+        ("N : a:e", ""),
+    ] {
+        let category = category(&mut grammar, from);
+        let shifted: Vec<String> = grammar
+            .shifts(category)
+            .iter()
+            .map(|(rule, to)| {
+                format!("{} {}", rule.name(), to.print(&grammar.syntaxes, &grammar.terms))
+            })
+            .collect();
+        assert_eq!(shifted.join(", "), expected, "{from}");
     }
 }
 

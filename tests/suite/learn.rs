@@ -109,7 +109,7 @@ fn from_what_makes_no_sense_nothing_is_learned() {
         example("🤖 …", pairs.clone()),
         example(&"go to the green room ".repeat(40), pairs.clone()),
         example("sleep furiously", pairs.clone()),
-        example("the the the", pairs.clone()),
+        example("the the", pairs.clone()),
         example("go to the green room", still),
         example("walk to the green room", there_and_back.collect()),
     ];

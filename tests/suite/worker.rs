@@ -166,14 +166,14 @@ fn training_reports_every_example_and_ends_with_the_command_line_s_bytes() {
 }
 
 #[test]
-fn training_says_something_every_other_step() {
+fn training_says_something_every_few_steps() {
     let mut engine = Engine::new();
     pump(&mut engine, 1, corpus("six.csv", SIX));
     engine.start(2, train(4));
     let mut silent = 0;
     while engine.busy() {
         silent = if engine.step().is_some() { 0 } else { silent + 1 };
-        assert!(silent <= 1, "an example is at most an explanation and a generation");
+        assert!(silent <= 2, "an example is at most an explanation and two generations");
     }
     // A file is read in steps of a few rows: no step reads it all.
     engine.start(

@@ -40,7 +40,7 @@ fn weighted() -> Model {
 fn ranked(model: &mut Model, command: &str, config: ChartConfig) -> Vec<(String, f64)> {
     let words = words(command);
     let lexical = lexical_items(model, &words);
-    let parse = fill(model, &words, lexical, |_, _| true, config);
+    let parse = fill(model, &words, lexical, |_, _, _| true, config);
     let terms = &model.grammar.terms;
     parse.readings.iter().map(|reading| (print(terms, reading.form), reading.score)).collect()
 }
