@@ -23,7 +23,7 @@ pub struct Corpus {
     /// What the engine read.
     pub report: Rc<CorpusReport>,
     /// The file's text.
-    pub text: String,
+    pub text: Rc<str>,
     /// The demonstrations of rows that have been asked for.
     pub pairs: BTreeMap<usize, Rc<Vec<PairText>>>,
     /// The row whose demonstrations are all shown.
@@ -36,12 +36,18 @@ impl Corpus {
     /// A corpus just read, with no row open.
     pub fn new(report: CorpusReport, text: String) -> Corpus {
         let shown = report.rows.len().min(PAGE);
-        Corpus { report: Rc::new(report), text, pairs: BTreeMap::new(), open: None, shown }
+        Corpus {
+            report: Rc::new(report),
+            text: text.into(),
+            pairs: BTreeMap::new(),
+            open: None,
+            shown,
+        }
     }
 
     /// Whether this is the page's own corpus.
     pub fn is_demo(&self) -> bool {
-        self.text == DEMO
+        *self.text == *DEMO
     }
 
     /// Shows more rows.

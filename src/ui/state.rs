@@ -169,7 +169,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::MoreRows => state.corpus.iter_mut().for_each(Corpus::more),
         Action::SaveCorpus => effects.extend(state.corpus.as_ref().map(|corpus| Effect::Save {
             name: corpus.report.name.clone(),
-            text: corpus.text.clone(),
+            text: corpus.text.to_string(),
         })),
 
         Action::Train => {
@@ -267,7 +267,7 @@ fn restart(state: &mut State, effects: &mut Vec<Effect>) {
     state.progress = None;
     effects.push(Effect::SpawnEngine);
     let (name, text) = match &state.corpus {
-        Some(corpus) => (corpus.report.name.clone(), corpus.text.clone()),
+        Some(corpus) => (corpus.report.name.clone(), corpus.text.to_string()),
         None => (DEMO_NAME.to_owned(), DEMO.to_owned()),
     };
     state.engine.send(Request::ReadCorpus { name, text }, false, effects);

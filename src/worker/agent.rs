@@ -4,7 +4,7 @@
 
 use super::job::Engine;
 use super::protocol::{Envelope, Event, Request, VERSION};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Once;
 use wasm_bindgen::prelude::Closure;
@@ -13,6 +13,9 @@ use web_sys::{DedicatedWorkerGlobalScope, MessageChannel, MessageEvent, MessageP
 
 /// Milliseconds of work between two looks at the event loop.
 const SLICE_MS: f64 = 12.0;
+
+/// Milliseconds between two reports of progress: a page that draws each one must not fall behind.
+const REPORT_MS: f64 = 40.0;
 
 /// Takes the worker's messages from now on.
 pub fn listen() {
@@ -29,7 +32,8 @@ struct Agent {
     engine: RefCell<Engine>,
     scope: DedicatedWorkerGlobalScope,
     wake: MessagePort,
-    woken: RefCell<bool>,
+    woken: Cell<bool>,
+    reported: Cell<f64>,
 }
 
 impl Agent {
@@ -40,7 +44,8 @@ impl Agent {
             engine: RefCell::new(Engine::new()),
             scope: scope.clone(),
             wake: channel.port2(),
-            woken: RefCell::new(false),
+            woken: Cell::new(false),
+            reported: Cell::new(f64::NEG_INFINITY),
         });
 
         let worker = agent.clone();
@@ -76,11 +81,13 @@ impl Agent {
 
     /// Works for one slice; asks for the next one while there is work.
     fn work(&self) {
-        *self.woken.borrow_mut() = false;
+        self.woken.set(false);
         let end = self.now() + SLICE_MS;
         let mut engine = self.engine.borrow_mut();
         while engine.busy() {
-            if let Some((id, event)) = engine.step() {
+            if let Some((id, event)) = engine.step()
+                && (!matches!(event, Event::Progress(_)) || self.may_report())
+            {
                 post(&self.scope, id, event);
             }
             if self.now() >= end {
@@ -96,6 +103,16 @@ impl Agent {
         if !self.woken.replace(true) && self.wake.post_message(&JsValue::NULL).is_err() {
             self.refuse("The engine cannot go on working in this browser.");
         }
+    }
+
+    /// Whether progress may be reported again; what is left out now is part of the next report.
+    fn may_report(&self) -> bool {
+        let now = self.now();
+        let due = now - self.reported.get() >= REPORT_MS;
+        if due {
+            self.reported.set(now);
+        }
+        due
     }
 
     fn now(&self) -> f64 {

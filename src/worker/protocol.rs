@@ -112,7 +112,7 @@ pub enum Event {
 }
 
 /// What came of reading a corpus.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CorpusReport {
     /// The file's name.
     pub name: String,
@@ -125,7 +125,7 @@ pub struct CorpusReport {
 }
 
 /// One good row of a corpus, without its states.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RowSummary {
     /// The command.
     pub command: String,
@@ -149,7 +149,7 @@ pub struct Problem {
 }
 
 /// One demonstration: the state before and the state after.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PairText {
     /// The state before.
     pub pre: State,
@@ -177,7 +177,7 @@ pub struct Progress {
 }
 
 /// A model and what there is to say of it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TrainReport {
     /// The model file's text, byte for byte what the command line writes.
     pub model: String,

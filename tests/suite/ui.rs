@@ -262,7 +262,7 @@ fn a_bad_file_loses_nothing() {
     page.act(Action::FileRead { name: "good.csv".to_owned(), text: "y".to_owned() });
     page.answer(Event::Corpus(report("good.csv", 200)));
     let corpus = page.state.corpus.as_ref().expect("a corpus is open");
-    assert_eq!((corpus.text.as_str(), corpus.shown), ("y", PAGE));
+    assert_eq!((&*corpus.text, corpus.shown), ("y", PAGE));
     assert_eq!(page.state.file_notice, None);
     assert!(page.posted.is_empty(), "pictures of a large corpus come when a row is opened");
     page.act(Action::ToggleRow(7));

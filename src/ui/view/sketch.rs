@@ -152,8 +152,8 @@ fn basket(quad: &Quad) -> Html {
 
 fn block(quad: &Quad) -> Html {
     paths([
-        ("M-.86 .44L0-.05v-.92l-.86 .49z", dark(quad)),
-        ("M.86 .44L0-.05v-.92l.86 .49z", quad.fill),
+        ("M-.86 .44L0-.05v-.92l-.86 .49z", quad.fill),
+        ("M.86 .44L0-.05v-.92l.86 .49z", dark(quad)),
         ("M0-.05L-.86 .44 0 .93 .86 .44z", light(quad)),
     ])
 }

@@ -9,7 +9,7 @@ const COMMANDS = [
   ['nothing', '   ', 'empty', /no word/i],
   ['emoji', '🤖🚪🟦', 'empty', /no word/i],
   ['nothing but words never seen', 'fetch my slippers', 'unknown_words', /slippers/],
-  ['a word never seen', 'go to the purple room', 'skipped', /purple/],
+  ['a word never seen', 'go to the purple room', 'unknown_words', /purple/],
   ['words that do not fit', 'room the to the go', 'no_parse', /fit|order/],
   ['markup', '<img src=x onerror=alert(1)> room', 'unknown_words', /onerror/],
 ];
