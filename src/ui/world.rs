@@ -35,7 +35,8 @@ pub struct World {
 impl World {
     /// Opens a world in the state it begins in; `None` when there is no such world.
     pub fn open(choice: usize) -> Option<World> {
-        let current = State::read(WORLDS.get(choice)?.json).ok()?;
+        // They are known to be legal, by a test: the page need not carry the reader that explains flaws.
+        let current = serde_json::from_str(WORLDS.get(choice)?.json).ok()?;
         Some(World { choice, current, past: Vec::new() })
     }
 

@@ -20,7 +20,7 @@ pub struct Envelope<T> {
 
 /// What the page asks of the engine. A request other than `Cancel` and `Ping` replaces the one at work.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
 pub enum Request {
     /// Reads a corpus file and keeps it, if it has a good row → [`Event::Corpus`].
     ReadCorpus {
@@ -76,7 +76,7 @@ pub struct TrainSettings {
 
 /// What the engine says to the page.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
 pub enum Event {
     /// The engine is up.
     Ready,
