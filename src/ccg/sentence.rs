@@ -1,14 +1,14 @@
 //! A command's words: Unicode NFC, lower case, split on white space and hyphens, outer punctuation stripped,
 //! `'s` a word of its own, digits kept. Two commands are the same when their words are.
 
-use unicode_normalization::UnicodeNormalization;
+use unicode_normalization::char::{canonical_combining_class, compose, decompose_canonical};
 
 /// Words that a command may have.
 pub const MAX_WORDS: usize = 50;
 
 /// The words of a command, at most `MAX_WORDS` + 1 of them (one more than can be parsed tells that it is too long).
 pub fn words(command: &str) -> Vec<String> {
-    let text: String = command.nfc().flat_map(char::to_lowercase).collect();
+    let text: String = nfc(command).into_iter().flat_map(char::to_lowercase).collect();
     let mut words = Vec::new();
     let is_outer = |c: char| !c.is_alphanumeric();
     for token in text.split(is_separator) {
@@ -32,4 +32,33 @@ pub fn words(command: &str) -> Vec<String> {
 
 fn is_separator(c: char) -> bool {
     c.is_whitespace() || matches!(c, '-' | '\u{2010}'..='\u{2015}')
+}
+
+/// Unicode NFC (Standard Annex 15): decomposed, each run of marks put in canonical order, composed again. Written
+/// out because the crate's own iterator also links the compatibility tables, which the page would load for nothing.
+pub fn nfc(text: &str) -> Vec<char> {
+    let mut decomposed: Vec<(u8, char)> = Vec::with_capacity(text.len());
+    for c in text.chars() {
+        decompose_canonical(c, |part| decomposed.push((canonical_combining_class(part), part)));
+    }
+    for marks in decomposed.chunk_by_mut(|a, b| a.0 > 0 && b.0 > 0) {
+        marks.sort_by_key(|(class, _)| *class);
+    }
+    let mut out: Vec<char> = Vec::with_capacity(decomposed.len());
+    // The last starter's place in `out`, and the class of what stands after it there.
+    let (mut starter, mut after) = (None, None);
+    for (class, c) in decomposed {
+        let reaches = after.is_none_or(|before| before < class);
+        let base = starter.filter(|_| reaches).and_then(|at: usize| out.get_mut(at));
+        if let Some(base) = base
+            && let Some(whole) = compose(*base, c)
+        {
+            *base = whole;
+            continue;
+        }
+        (starter, after) =
+            if class == 0 { (Some(out.len()), None) } else { (starter, Some(class)) };
+        out.push(c);
+    }
+    out
 }

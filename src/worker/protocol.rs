@@ -1,5 +1,6 @@
 //! What page and engine say to each other. Every message is one JSON text in an [`Envelope`] that carries
-//! the protocol's version; no id of an arena crosses (invariant 6), only text and plain data.
+//! the protocol's version; no id of an arena crosses (invariant 6), only text and plain data. A body is its
+//! kind's name, or `{kind: content}`: a tag inside the content would cost both programs a tenth of their size.
 
 use crate::domain::State;
 use serde::{Deserialize, Serialize};

@@ -6,6 +6,8 @@ mod brute;
 mod chart;
 #[path = "ccg/files.rs"]
 mod files;
+#[path = "ccg/normal.rs"]
+mod normal;
 
 use crate::logic::cases;
 use groundling::ccg::factor::{factor, instantiate};

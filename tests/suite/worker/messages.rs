@@ -8,7 +8,7 @@ use groundling::worker::protocol::{
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
 
-/// Sends each message through JSON; its `kind` must be what `name` says.
+/// Sends each message through JSON; its kind must be what `name` says.
 #[track_caller]
 fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
     messages: &[T],
@@ -23,7 +23,9 @@ fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
         let envelope = Envelope { groundling: VERSION, id, body };
         let text = serde_json::to_string(&envelope).unwrap();
         let value: serde_json::Value = serde_json::from_str(&text).unwrap();
-        assert_eq!(value["body"]["kind"], kind, "{text}");
+        let body = &value["body"];
+        let key = body.as_object().and_then(|object| object.keys().next()).map(String::as_str);
+        assert_eq!(body.as_str().or(key), Some(kind), "{text}");
         assert_eq!(value["groundling"], 1);
         assert_eq!(serde_json::from_str::<Envelope<T>>(&text).unwrap(), envelope, "{text}");
     }
