@@ -16,13 +16,15 @@ flow('training is cancelled, and answers at once', async (t) => {
   await demo.by('progress').waitFor();
   const first = await demo.by('progress').textContent();
   await t.until('progress goes on', async () => (await demo.by('progress').textContent()) !== first);
-  await t.accessible('training');
   await demo.by('cancel').click();
   await demo.by('model-notice').waitFor();
   t.check(/stopped/.test(await demo.by('model-notice').textContent()), 'it says so');
   t.check((await demo.model()) === model, 'the model of before is kept');
   await demo.ask('go to the blue room');
   t.equal((await demo.reading()).form, BLUE_ROOM, 'and answers');
+  await demo.by('train').click();
+  await demo.by('progress').waitFor();
+  await t.accessible('training');
 });
 
 flow('the engine is killed and started again', async (t) => {
