@@ -28,6 +28,8 @@ pub struct Config {
     pub seed: u32,
     /// Derivations tried in a chart.
     pub budget: usize,
+    /// Derivations tried in each chart of lexical generation: what is longer is not learned from.
+    pub lexical_budget: usize,
     /// Epochs, from the first, in which entries are generated for sentences that the lexicon cannot explain.
     pub generations: u32,
 }
@@ -42,14 +44,15 @@ impl Default for Config {
             margin: 1.0,
             seed: 0,
             budget: ChartConfig::default().budget,
-            generations: 3,
+            lexical_budget: 60_000,
+            generations: 2,
         }
     }
 }
 
 impl Config {
     /// The settings as facts of a model file.
-    fn facts(&self) -> [(&'static str, String); 8] {
+    fn facts(&self) -> [(&'static str, String); 9] {
         let demonstrations = self.demonstrations.map_or("all".to_owned(), |n| n.to_string());
         [
             ("epochs", self.epochs.to_string()),
@@ -59,6 +62,7 @@ impl Config {
             ("margin", self.margin.to_string()),
             ("seed", self.seed.to_string()),
             ("budget", self.budget.to_string()),
+            ("lexical_budget", self.lexical_budget.to_string()),
             ("generations", self.generations.to_string()),
         ]
     }
@@ -318,10 +322,6 @@ impl Trainer {
         }
     }
 
-    fn chart_config(&self, beam: u32) -> ChartConfig {
-        ChartConfig { beam: beam as usize, budget: self.config.budget, ..ChartConfig::default() }
-    }
-
     /// Lexical generation for a sentence that the lexicon cannot explain: the candidates that the best valid parse
     /// uses become entries.
     fn generate(&mut self, at: usize, scope: Scope) {
@@ -329,7 +329,7 @@ impl Trainer {
         if !can_parse(words) {
             return;
         }
-        let config = self.chart_config(self.config.lexical_beam);
+        let config = chart_config(self.config.lexical_beam, self.config.lexical_budget);
         let generated = generate(&mut self.model, words, scope, config);
         if generated.candidates.is_empty() {
             return;
@@ -366,11 +366,8 @@ impl Trainer {
                 && (!(is(Atom::N) || is(Atom::NP))
                     || validator.denotes(&grammar.terms, category.meaning, pairs))
         };
-        let config = ChartConfig {
-            beam: self.config.beam as usize,
-            budget: self.config.budget,
-            ..ChartConfig::default()
-        };
+        let Config { beam, lexical_budget, .. } = self.config;
+        let config = chart_config(beam, lexical_budget);
         fill(&mut self.model, words, items, admit, config)
     }
 
@@ -398,7 +395,7 @@ impl Trainer {
             return Vec::new();
         }
         let items = lexical_items(&self.model, words);
-        let config = self.chart_config(self.config.beam);
+        let config = chart_config(self.config.beam, self.config.budget);
         let parse = fill(&mut self.model, words, items, |_, _, _| true, config);
         self.so_far.over_budget += usize::from(parse.over_budget());
         let mut judged = Vec::with_capacity(parse.readings.len());
@@ -409,6 +406,10 @@ impl Trainer {
         }
         judged
     }
+}
+
+fn chart_config(beam: u32, budget: usize) -> ChartConfig {
+    ChartConfig { beam: beam as usize, budget, ..ChartConfig::default() }
 }
 
 fn can_parse(words: &[String]) -> bool {
