@@ -4,6 +4,7 @@
 
 use super::category::Category;
 use super::combinator::{Grammar, Made, RuleId};
+use super::reach::Reach;
 use super::syntax::SyntaxId;
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
@@ -123,7 +124,7 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// Fills a chart over `words` words. Edges that `admit` refuses are left out.
+    /// Fills a chart over `words` words with what can be part of a sentence. Edges that `admit` refuses are left out.
     pub fn fill(
         grammar: &mut Grammar,
         words: usize,
@@ -146,8 +147,9 @@ impl Chart {
         for (index, item) in (0..).zip(&chart.lexical) {
             items[item.start * (words + 1) + item.end].push(index);
         }
+        let reach = Reach::new(grammar, words, &chart.lexical);
         let cell = Cell { span: (0, 0), edges: Vec::new(), known: FxHashMap::default(), admit };
-        let mut filling = Filling { chart, grammar, rule_score, config, items, cell };
+        let mut filling = Filling { chart, grammar, rule_score, config, items, reach, cell };
         for width in 1..=words {
             for start in 0..=words - width {
                 filling.span(start, start + width);
@@ -221,6 +223,7 @@ struct Filling<'a, F, A> {
     config: ChartConfig,
     /// The lexical items of each span.
     items: Vec<Vec<u32>>,
+    reach: Reach,
     cell: Cell<A>,
 }
 
@@ -249,6 +252,9 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
         let items = std::mem::take(&mut self.items[start * (self.chart.words + 1) + end]);
         for index in items {
             let Lexical { category, score, .. } = self.chart.lexical[index as usize];
+            if !self.reach.is_useful(start, end, category.syntax) {
+                continue;
+            }
             let step = Step::Lexical(index);
             self.add(Found { category, made: Made::Plainly, score, step, split: start as u32 });
         }
@@ -257,7 +263,7 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
         }
         let first = self.chart.edges.len() as u32;
         self.keep();
-        self.shift(first, start);
+        self.shift(first, start, end);
         self.store(first, start, end);
     }
 
@@ -268,7 +274,7 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
 
     /// All pairs of neighbours that a rule combines.
     fn join(&mut self, start: usize, split: usize, end: usize) {
-        let Filling { chart, grammar, rule_score, config, cell, .. } = self;
+        let Filling { chart, grammar, rule_score, config, reach, cell, .. } = self;
         let Chart { spans, edges, others, tried, over_budget, words, .. } = chart;
         let (lefts, rights) =
             (&spans[start * (*words + 1) + split], &spans[split * (*words + 1) + end]);
@@ -276,6 +282,9 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
             for (right_syntax, rights) in &rights.groups {
                 for row in 0..grammar.rows(*left_syntax, *right_syntax).len() {
                     let (rule, syntax) = grammar.rows(*left_syntax, *right_syntax)[row];
+                    if !reach.is_useful(start, end, syntax) {
+                        continue;
+                    }
                     let own = rule_score(rule);
                     for &l in lefts {
                         let left = edges[l as usize];
@@ -329,11 +338,14 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
     }
 
     /// Shifts what was kept, at most once: what comes out stands behind it, beyond the beam.
-    fn shift(&mut self, first: u32, start: usize) {
+    fn shift(&mut self, first: u32, start: usize, end: usize) {
         self.cell.known.clear();
         for child in first..self.chart.edges.len() as u32 {
             let edge = *self.chart.edge(child);
             for (rule, category) in self.grammar.shifts(edge.category) {
+                if !self.reach.is_useful(start, end, category.syntax) {
+                    continue;
+                }
                 let score = edge.score + (self.rule_score)(rule);
                 let step = Step::Shift { rule, child };
                 let split = start as u32;

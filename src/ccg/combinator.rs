@@ -221,6 +221,13 @@ impl Grammar {
         (allow_vacuous || !vacuous).then_some(meaning)
     }
 
+    /// The syntactic categories that shifts make of another.
+    pub(super) fn shifted_syntaxes(&mut self, from: SyntaxId) -> Vec<SyntaxId> {
+        let fits = |shift: &&Shift| self.syntaxes.is(from, shift.from);
+        let shifts: Vec<&Shift> = SHIFTS.iter().filter(fits).collect();
+        shifts.iter().map(|shift| (shift.to)(&mut self.syntaxes)).collect()
+    }
+
     /// The category that a shift makes of another, with the row.
     pub fn shifts(&mut self, category: Category) -> Vec<(RuleId, Category)> {
         let mut shifted = Vec::new();

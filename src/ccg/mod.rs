@@ -10,6 +10,7 @@ pub mod factor;
 pub mod lexicon_text;
 pub mod features;
 pub mod model;
+mod reach;
 pub mod chart;
 pub mod parse;
 pub mod derivation;
