@@ -12,7 +12,8 @@ const CONFIG: Config = Config {
     margin: 1.0,
     seed: 3,
     budget: 2_000_000,
-    generations: 3,
+    lexical_budget: 60_000,
+    generations: 2,
 };
 
 /// Steps until so many examples were seen.
