@@ -8,5 +8,5 @@ pub mod trainer;
 pub mod evaluate;
 
 pub use evaluate::{Evaluation, Score, Scores};
-pub use seed::{DEMONSTRATION_LEXICON, seed_model};
+pub use seed::{CLEANUP_LEXICON, DEMONSTRATION_LEXICON, seed_model};
 pub use trainer::{Config, Epoch, Progress, Trainer};

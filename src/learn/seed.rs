@@ -21,3 +21,6 @@ pub fn seed_model(lexicon: &str) -> Result<Model, LexiconError> {
     read_lexicon(&mut model, lexicon)?;
     Ok(model)
 }
+
+/// The seed lexicon of the whole domain: what an English speaker brings to any command.
+pub const CLEANUP_LEXICON: &str = include_str!("../../assets/lexicon/cleanup.txt");

@@ -279,7 +279,7 @@ impl Trainer {
         if let Phase::Generate(scope) = self.phase {
             self.generate(at, scope);
         }
-        let judged = self.judge(at);
+        let (judged, over_budget) = self.judge(at);
         let explained = judged.iter().any(|reading| reading.valid);
         if !explained && self.epoch <= self.config.generations {
             let next = match self.phase {
@@ -295,12 +295,14 @@ impl Trainer {
         self.phase = Phase::Explain;
         let moment = self.visits();
         let updated = update(&mut self.model.features, &judged, self.config.margin, moment);
+        self.so_far.over_budget += usize::from(over_budget);
         self.so_far.valid += usize::from(explained);
         self.so_far.updates += usize::from(updated);
         self.so_far.entries = self.model.lexicon.len();
         self.next += 1;
         let progress = Progress { epoch: self.epoch, example: self.next, so_far: self.so_far };
         if self.next == self.items.len() {
+            self.model.facts.insert("valid".to_owned(), self.so_far.valid.to_string());
             self.epochs.push(self.so_far);
             self.begin_epoch();
         }
@@ -388,23 +390,22 @@ impl Trainer {
         best
     }
 
-    /// The readings that the lexicon alone gives, judged by the demonstrations.
-    fn judge(&mut self, at: usize) -> Vec<Judged> {
+    /// The readings that the lexicon alone gives, judged by the demonstrations; whether the chart is not whole.
+    fn judge(&mut self, at: usize) -> (Vec<Judged>, bool) {
         let Item { words, pairs } = &self.items[at];
         if !can_parse(words) {
-            return Vec::new();
+            return (Vec::new(), false);
         }
         let items = lexical_items(&self.model, words);
         let config = chart_config(self.config.beam, self.config.budget);
         let parse = fill(&mut self.model, words, items, |_, _, _| true, config);
-        self.so_far.over_budget += usize::from(parse.over_budget());
         let mut judged = Vec::with_capacity(parse.readings.len());
         for &reading in &parse.readings {
             let valid = self.validator.valid(&self.model.grammar.terms, reading.form, pairs);
             let occurring = parse.derivation(reading).features(&self.model, reading.form);
             judged.push(Judged { features: self.model.features.vector(&occurring), valid });
         }
-        judged
+        (judged, parse.over_budget())
     }
 }
 
@@ -420,10 +421,13 @@ fn can_parse(words: &[String]) -> bool {
 fn fingerprint(examples: &[Example]) -> String {
     let mut hasher = blake3::Hasher::new();
     for example in examples {
-        hasher.update(example.command.as_bytes());
+        // No command has a line break in it once it is split into words: parts cannot run into each other.
+        hasher.update(words(&example.command).join(" ").as_bytes());
+        hasher.update(b"\n");
         for state in example.pairs.iter().flat_map(|pair| [&pair.pre, &pair.post]) {
             // A state always has a JSON form: it has no maps and no floats.
             hasher.update(serde_json::to_string(state).unwrap_or_default().as_bytes());
+            hasher.update(b"\n");
         }
     }
     hasher.finalize().to_hex().to_string()

@@ -58,8 +58,8 @@ enum Binding {
 }
 
 fn write_human(terms: &Terms, term: TermId, depth: u32, around: Binding, out: &mut String) {
-    if let Some(name) = eta_contracted(terms, term) {
-        return out.push_str(name);
+    if let Some(name) = eta_contracted(terms, term, depth) {
+        return out.push_str(&name);
     }
     match terms.node(term) {
         Node::Constant(constant) => out.push_str(terms.name(constant)),
@@ -99,7 +99,7 @@ fn write_application(
                 write_human(terms, *description, depth, Binding::Loose, out);
             });
         }
-        ("exists", [description]) if eta_contracted(terms, *description).is_none() => {
+        ("exists", [description]) if eta_contracted(terms, *description, depth).is_none() => {
             bracketed(around > Binding::Loose, out, |out| {
                 out.push('∃');
                 if let Node::Lambda { body, .. } = terms.node(*description) {
@@ -151,8 +151,8 @@ fn bracketed(needed: bool, out: &mut String, write: impl FnOnce(&mut String)) {
     }
 }
 
-/// `room` for `λx. room(x)`: the name of a constant whose η-long form this is.
-fn eta_contracted(terms: &Terms, term: TermId) -> Option<&str> {
+/// `room` for `λx. room(x)`, `f` for `λx. f(x)`: the name of the constant or variable whose η-long form this is.
+fn eta_contracted(terms: &Terms, term: TermId, depth: u32) -> Option<String> {
     let mut body = term;
     let mut binders = 0;
     while let Node::Lambda { body: below, .. } = terms.node(body) {
@@ -160,12 +160,15 @@ fn eta_contracted(terms: &Terms, term: TermId) -> Option<&str> {
         binders += 1;
     }
     let Node::Apply { head, args } = terms.node(body) else { return None };
-    let Node::Constant(constant) = terms.node(head) else { return None };
     let own = (0..binders).rev();
     let straight = args.len() == binders as usize
         && binders > 0
         && args.iter().zip(own).all(|(&arg, index)| terms.node(arg) == Node::Variable(index));
-    straight.then(|| terms.name(constant))
+    match terms.node(head) {
+        Node::Constant(constant) if straight => Some(terms.name(constant).to_owned()),
+        Node::Variable(index) if straight => Some(variable(depth, index.checked_sub(binders)?)),
+        _ => None,
+    }
 }
 
 /// The letter of the variable `index` seen from `depth`: x, y, z, u, v, w, then x1, y1 …

@@ -4,7 +4,7 @@
 use super::term::{LogicError, TermId, Terms};
 use super::ty::{TyId, Type};
 
-/// Characters that a term's text may have.
+/// Bytes that a term's text may have.
 pub const MAX_TEXT: usize = 65_536;
 /// Brackets that may be open at once.
 pub const MAX_DEPTH: u32 = 128;
@@ -25,7 +25,7 @@ pub struct ReadError {
 pub enum ReadErrorKind {
     #[error("there is no term here")]
     Empty,
-    #[error("the text is longer than {MAX_TEXT} characters")]
+    #[error("the text is longer than {MAX_TEXT} bytes")]
     TooLong,
     #[error("brackets nest deeper than {MAX_DEPTH}")]
     TooDeep,

@@ -1,6 +1,8 @@
 //! Learning: the paper's demonstration with six sentences, the perceptron by hand, runs that stop and go on, and
 //! corpora from which nothing can be learned.
 
+#[path = "learn/domain.rs"]
+mod domain;
 #[path = "learn/resume.rs"]
 mod resume;
 
@@ -27,7 +29,11 @@ fn trainer(examples: &[Example], config: &Config) -> Trainer {
 
 /// Trains to the end; the model, and the last that was said of the way.
 fn train(examples: &[Example], config: &Config) -> (Model, Option<Progress>) {
-    let mut trainer = trainer(examples, config);
+    train_from(seed_model(DEMONSTRATION_LEXICON).unwrap(), examples, config)
+}
+
+fn train_from(seed: Model, examples: &[Example], config: &Config) -> (Model, Option<Progress>) {
+    let mut trainer = Trainer::new(seed, examples, config.clone());
     let mut last = None;
     while !trainer.is_done() {
         last = trainer.step().or(last);

@@ -11,7 +11,7 @@ const CONFIG: Config = Config {
     demonstrations: None,
     margin: 1.0,
     seed: 3,
-    budget: 2_000_000,
+    budget: 200_000,
     lexical_budget: 60_000,
     generations: 2,
 };
@@ -92,7 +92,7 @@ fn a_checkpoint_of_another_run_is_refused_in_words() {
         ),
         (Config { margin: 0.5, ..CONFIG }, "margin is 1, that of this run is 0.5"),
         (Config { seed: 4, ..CONFIG }, "seed is 3, that of this run is 4"),
-        (Config { budget: 9, ..CONFIG }, "budget is 2000000, that of this run is 9"),
+        (Config { budget: 9, ..CONFIG }, "budget is 200000, that of this run is 9"),
     ] {
         assert_eq!(refused(&checkpoint, &examples, config), format!("{said} {fact}"));
     }
