@@ -15,7 +15,7 @@ use std::io::Cursor;
 /// Rows that a step reads.
 const ROWS_A_STEP: usize = 4;
 
-/// Work in parts. Every [`Job::step`] does a bounded part; the job is over when it returns a last event.
+/// Work in parts. Every [`Engine::step`] does a bounded part; the job is over when it returns a last event.
 enum Job {
     /// Nothing but an answer.
     Say(Event),

@@ -25,10 +25,17 @@ export class Flow {
   constructor(context, address) {
     this.context = context;
     this.address = address;
+    /** What is told in the report. */
+    this.notes = [];
     /** What went wrong in the page by itself. */
     this.problems = [];
     /** Problems that the flow provokes, as regular expressions; and what Chromium says of itself without a GPU. */
     this.expected = [/^console: No available adapters\.$/];
+  }
+
+  /** Says something worth reading in the report. */
+  note(words) {
+    this.notes.push(words);
   }
 
   /** Opens a page at `address`, watched from its first moment. */

@@ -29,7 +29,7 @@ const { binary, args } = options['goog:chromeOptions'];
 const browser = await chromium.launch({ executablePath: binary, args, headless: true });
 const site = await serve(process.env.SITE ?? path.join(root, 'target/site'), { under: '/some/sub-path/' });
 
-/** Runs one flow; returns what went wrong, or null. */
+/** Runs one flow; returns what went wrong (or null) and what it has to tell. */
 async function run({ title, settings, body }) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...settings });
   context.setDefaultTimeout(20_000);
@@ -42,12 +42,12 @@ async function run({ title, settings, body }) {
     await Promise.race([body(flow), late]);
     const problems = flow.unexpected();
     if (problems.length > 0) throw new Error(`the page had problems:\n${problems.join('\n')}`);
-    return null;
+    return { wrong: null, notes: flow.notes };
   } catch (error) {
     const name = title.replaceAll(/[^a-z0-9]+/gi, '-');
     await flow.page?.screenshot({ path: path.join(root, `target/e2e/failed-${name}.png`) }).catch(() => {});
     const problems = flow.unexpected().filter((problem) => !error.message.includes(problem));
-    return [error.stack ?? error, ...problems].join('\n');
+    return { wrong: [error.stack ?? error, ...problems].join('\n'), notes: flow.notes };
   } finally {
     clearTimeout(timer);
     await context.close();
@@ -57,9 +57,10 @@ async function run({ title, settings, body }) {
 let failed = chosen.length === 0 ? 1 : 0;
 for (const flow of chosen) {
   const start = Date.now();
-  const wrong = await run(flow);
+  const { wrong, notes } = await run(flow);
   const seconds = ((Date.now() - start) / 1000).toFixed(1);
   console.log(`${wrong ? 'FAILED' : 'ok    '} ${flow.file}: ${flow.title} (${seconds} s)`);
+  for (const note of notes) console.log(`       ${note}`);
   if (wrong) {
     failed += 1;
     console.log(`${wrong}`.replaceAll(/^/gm, '       '));
