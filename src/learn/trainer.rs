@@ -256,13 +256,14 @@ impl Trainer {
         &self.model
     }
 
-    /// Ends the run: the model with every weight as it was on average.
-    pub fn into_model(mut self) -> Model {
+    /// The model with every weight as it was on average so far, which is what a run ends with.
+    pub fn averaged(&self) -> Model {
+        let mut model = self.model.clone();
         let visits = self.visits();
         if visits > 0.0 {
-            self.model.features.average(visits);
+            model.features.average(visits);
         }
-        self.model
+        model
     }
 
     /// Visits of examples before the one at work.

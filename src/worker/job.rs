@@ -171,7 +171,7 @@ impl Engine {
 
     fn keep_model(&mut self, trainer: Trainer) -> Event {
         let (examples, last) = (trainer.n_examples(), trainer.epochs().last().copied());
-        let model = trainer.into_model();
+        let model = trainer.averaged();
         let report = TrainReport {
             model: model.print(),
             examples,

@@ -38,7 +38,7 @@ fn train_from(seed: Model, examples: &[Example], config: &Config) -> (Model, Opt
     while !trainer.is_done() {
         last = trainer.step().or(last);
     }
-    (trainer.into_model(), last)
+    (trainer.averaged(), last)
 }
 
 #[track_caller]

@@ -159,7 +159,7 @@ fn training_reports_every_example_and_ends_with_the_command_line_s_bytes() {
     while !trainer.is_done() {
         trainer.step();
     }
-    let model = trainer.into_model();
+    let model = trainer.averaged();
     assert!(report.model == model.print(), "the page's model is not the command line's");
     let said = (report.examples, report.valid, report.entries);
     assert_eq!(said, (6, 6, model.lexicon.len()));

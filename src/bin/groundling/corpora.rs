@@ -2,10 +2,13 @@
 
 use super::command::Failure;
 use groundling::ccg::Model;
-use groundling::corpus::{Example, Form, Options, read};
+use groundling::corpus::{Example, Flaw, Form, Options, read};
 use std::fs::{self, File};
 use std::io::{self, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
+
+/// Flaws of a file that are told one by one.
+const MAX_TOLD: usize = 20;
 
 /// The examples of all files in their order; what is wrong or odd with a row goes to standard error.
 pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Vec<Example>, Failure> {
@@ -19,19 +22,27 @@ pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Vec<Exa
         };
         let form = Form::of_name(&path.to_string_lossy());
         let (corpus, flaws) = read(form, source, Options { with_rejected });
-        for flaw in &flaws {
-            let fate = if flaw.kept { "kept" } else { "left out" };
-            // Standard error may be gone; the work goes on.
-            let _ = writeln!(io::stderr(), "{}: {flaw} ({fate})", path.display());
-        }
         if corpus.examples.is_empty() {
             let why = flaws.first().map_or("it has no rows".to_owned(), ToString::to_string);
             let path = path.display();
             return Err(Failure::Usage(format!("{path}: no row can be used: {why}")));
         }
+        tell(path, &flaws);
         all.extend(corpus.examples);
     }
     Ok(all)
+}
+
+/// Says on standard error what is wrong or odd with rows; the work goes on when nobody listens there.
+fn tell(path: &Path, flaws: &[Flaw]) {
+    let mut error = io::stderr();
+    for flaw in flaws.iter().take(MAX_TOLD) {
+        let fate = if flaw.kept { "kept" } else { "left out" };
+        let _ = writeln!(error, "{}: {flaw} ({fate})", path.display());
+    }
+    if flaws.len() > MAX_TOLD {
+        let _ = writeln!(error, "{}: and {} more", path.display(), flaws.len() - MAX_TOLD);
+    }
 }
 
 /// The model in a file.

@@ -100,7 +100,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
     }
     let entries = trainer.model().lexicon.len();
-    write(&out, &trainer.into_model().print())?;
+    write(&out, &trainer.averaged().print())?;
     if options.json {
         let report = json!({
             "examples": training.len(), "entries": entries, "epochs": epochs,
@@ -113,7 +113,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
 
 /// Scores the model as it is on held-out commands; training does not notice.
 fn held_out_scores(trainer: &Trainer, examples: &[Example], config: &Config) -> Value {
-    let mut model = trainer.model().clone();
+    let mut model = trainer.averaged();
     let config = ChartConfig { beam: config.beam as usize, ..ChartConfig::default() };
     let mut evaluation = Evaluation::new(&mut model, examples, config);
     while evaluation.step().is_some() {}

@@ -28,7 +28,7 @@ fn end(mut trainer: Trainer) -> String {
     while !trainer.is_done() {
         trainer.step();
     }
-    trainer.into_model().print()
+    trainer.averaged().print()
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn a_run_may_be_interrupted_within_an_example_and_again_and_again() {
         }
         steps += 1;
     }
-    assert!(trainer.into_model().print() == train(&examples, &CONFIG).0.print());
+    assert!(trainer.averaged().print() == train(&examples, &CONFIG).0.print());
 }
 
 #[test]
