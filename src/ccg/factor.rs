@@ -1,7 +1,6 @@
 //! Factoring a category into the constants it speaks of and a template with typed holes (Kwiatkowski et al. 2011).
 //! A template's meaning is the category's, abstracted over its holes: applying it to constants gives it back.
 
-use super::category::Category;
 use crate::logic::{ConstantId, LogicError, Node, TermId, Terms};
 
 /// The constants that never become a hole: they are the frame that words fill.
@@ -24,8 +23,8 @@ pub fn factor(
     meaning: TermId,
     fixed: &[ConstantId],
 ) -> Result<Factored, LogicError> {
-    let mut constants = Vec::new();
-    collect(terms, meaning, fixed, &mut constants);
+    let mut constants = terms.constants(meaning);
+    constants.retain(|c| !FRAME.contains(&terms.name(*c)) && !fixed.contains(c));
     let mut template = abstract_constants(terms, meaning, &constants, 0)?;
     for &constant in constants.iter().rev() {
         template = terms.lambda(terms.constant_ty(constant), template)?;
@@ -47,34 +46,6 @@ pub fn instantiate(
         let argument = terms.constant_term(&name, ty)?;
         terms.apply(function, argument)
     })
-}
-
-/// The constants of a term outside the frame, in the order of their first occurrence.
-pub fn content_constants(
-    terms: &Terms,
-    category: Category,
-    fixed: &[ConstantId],
-) -> Vec<ConstantId> {
-    let mut constants = Vec::new();
-    collect(terms, category.meaning, fixed, &mut constants);
-    constants
-}
-
-fn collect(terms: &Terms, term: TermId, fixed: &[ConstantId], found: &mut Vec<ConstantId>) {
-    match terms.node(term) {
-        Node::Constant(constant) => {
-            let frame = FRAME.contains(&terms.name(constant)) || fixed.contains(&constant);
-            if !frame && !found.contains(&constant) {
-                found.push(constant);
-            }
-        }
-        Node::Variable(_) => {}
-        Node::Lambda { body, .. } => collect(terms, body, fixed, found),
-        Node::Apply { head, args } => {
-            collect(terms, head, fixed, found);
-            args.iter().for_each(|&arg| collect(terms, arg, fixed, found));
-        }
-    }
 }
 
 /// `term` below `depth` binders with each constant replaced by the variable of its hole, the first outermost.

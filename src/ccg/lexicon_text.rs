@@ -7,7 +7,7 @@ use super::features::Feature;
 use super::lexicon::Origin;
 use super::model::Model;
 use super::sentence::words;
-use crate::logic::{ConstantId, Node, TermId, Terms, read};
+use crate::logic::{TermId, read};
 
 /// The weight of a seed lexeme.
 pub const SEED_LEXEME: f64 = 10.0;
@@ -40,12 +40,12 @@ pub fn read_lexicon(model: &mut Model, text: &str) -> Result<(), LexiconError> {
 
 fn read_line(model: &mut Model, line: &str) -> Result<(), String> {
     if let Some(constant) = line.strip_prefix("frame ") {
-        let constant = known_constant(model, constant.trim())?;
+        let constant = model.read_constant(constant.trim())?;
         model.lexicon.frame.push(constant);
         return Ok(());
     }
     if let Some(constant) = line.strip_prefix("commutative ") {
-        let constant = known_constant(model, constant.trim())?;
+        let constant = model.read_constant(constant.trim())?;
         model.grammar.commutative.push(constant);
         return Ok(());
     }
@@ -90,9 +90,7 @@ pub fn seed_weight(n_words: usize) -> f64 {
 
 /// Every constant must be in the signature with its type, or be a hole.
 fn check_constants(model: &mut Model, meaning: TermId) -> Result<(), String> {
-    let mut constants = Vec::new();
-    collect(&model.grammar.terms, meaning, &mut constants);
-    for constant in constants {
+    for constant in model.grammar.terms.constants(meaning) {
         let terms = &mut model.grammar.terms;
         let (name, ty) = (terms.name(constant).to_owned(), terms.constant_ty(constant));
         if !name.starts_with('?') && model.signature.ty(&mut terms.types, &name) != Some(ty) {
@@ -101,27 +99,4 @@ fn check_constants(model: &mut Model, meaning: TermId) -> Result<(), String> {
         }
     }
     Ok(())
-}
-
-fn collect(terms: &Terms, term: TermId, found: &mut Vec<ConstantId>) {
-    match terms.node(term) {
-        Node::Constant(constant) => found.push(constant),
-        Node::Variable(_) => {}
-        Node::Lambda { body, .. } => collect(terms, body, found),
-        Node::Apply { head, args } => {
-            collect(terms, head, found);
-            args.iter().for_each(|&arg| collect(terms, arg, found));
-        }
-    }
-}
-
-fn known_constant(model: &mut Model, text: &str) -> Result<ConstantId, String> {
-    let unknown = || format!("{text} is not in the signature");
-    let (name, ty) = text.split_once(':').ok_or_else(unknown)?;
-    let terms = &mut model.grammar.terms;
-    let ty = terms.types.read(ty).ok_or_else(unknown)?;
-    if model.signature.ty(&mut terms.types, name) != Some(ty) {
-        return Err(unknown());
-    }
-    Ok(terms.constant(name, ty))
 }

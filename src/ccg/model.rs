@@ -186,8 +186,9 @@ impl Model {
             .map_err(|_| "the constants do not fit the template".to_owned())
     }
 
-    fn read_constant(&mut self, text: &str) -> Result<ConstantId, String> {
-        let known = || format!("the constant {text} is not in the signature");
+    /// The constant that a text `name:type` names, which must be in the signature.
+    pub(super) fn read_constant(&mut self, text: &str) -> Result<ConstantId, String> {
+        let known = || format!("{text} is not in the signature");
         let (name, ty) = text.split_once(':').ok_or_else(known)?;
         let terms = &mut self.grammar.terms;
         let ty = terms.types.read(ty).ok_or_else(known)?;

@@ -206,6 +206,26 @@ impl Terms {
         }
     }
 
+    /// The constants of a term, in the order of their first occurrence.
+    pub fn constants(&self, term: TermId) -> Vec<ConstantId> {
+        let mut found = Vec::new();
+        self.collect_constants(term, &mut found);
+        found
+    }
+
+    fn collect_constants(&self, term: TermId, found: &mut Vec<ConstantId>) {
+        match self.node(term) {
+            Node::Constant(constant) if found.contains(&constant) => {}
+            Node::Constant(constant) => found.push(constant),
+            Node::Variable(_) => {}
+            Node::Lambda { body, .. } => self.collect_constants(body, found),
+            Node::Apply { head, args } => {
+                self.collect_constants(head, found);
+                args.iter().for_each(|&arg| self.collect_constants(arg, found));
+            }
+        }
+    }
+
     /// The order of conjuncts: by structure, never by id. Constant < variable < application < lambda.
     pub fn compare(&self, a: TermId, b: TermId) -> Ordering {
         if a == b {

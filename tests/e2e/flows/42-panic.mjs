@@ -1,0 +1,44 @@
+// Errors in the program itself, in page and engine: told in words, the first of them kept, with a way on.
+
+import { flow } from '../flow.mjs';
+import { BLUE_ROOM, openPage } from '../page.mjs';
+
+flow('a page that panics says so, once, and starts again', async (t) => {
+  const demo = await openPage(t);
+  await demo.page.evaluate(() => {
+    const tell = (detail) => dispatchEvent(new CustomEvent('groundling:crashed', { detail }));
+    tell('panicked at src/ui/state.rs: the first');
+    tell('panicked at src/ui/state.rs: the second');
+    const error = new WebAssembly.RuntimeError('unreachable');
+    dispatchEvent(new ErrorEvent('error', { error }));
+  });
+  await demo.by('crash').waitFor();
+  const report = await demo.by('crash-report').textContent();
+  t.check(/the first/.test(report) && !/the second|unreachable/.test(report), 'the first is the one kept');
+  t.check(await demo.by('crash-restart').evaluate((button) => button === document.activeElement),
+    'the way on has the focus');
+  await t.accessible('a page that has stopped');
+  await t.shot('crash');
+  await demo.by('crash-restart').click();
+  await demo.by('row').first().waitFor();
+  t.equal(await demo.by('crash').isVisible(), false, 'the page is back');
+});
+
+flow('an engine that panics says so, and goes on with what was loaded', async (t) => {
+  const demo = await openPage(t);
+  await demo.train();
+  const model = await demo.model();
+  const said = 'panicked at src/ccg/chart.rs: an invented reason';
+  await demo.page.evaluate((message) => {
+    const data = JSON.stringify({ groundling: 1, id: 0, body: { crashed: { message } } });
+    globalThis.flowWorkers.at(-1).dispatchEvent(new MessageEvent('message', { data }));
+  }, said);
+  await demo.by('engine-stopped').waitFor();
+  t.check((await demo.by('engine-report').textContent()).includes(said), 'its words are shown');
+  await demo.by('restart-engine').click();
+  await t.until('the engine is back', async () => (await demo.by('engine-stopped').count()) === 0);
+  t.check((await demo.model()) === model, 'the model is kept');
+  await t.until('it can be asked', () => demo.by('ask').isEnabled());
+  await demo.ask('go to the blue room');
+  t.equal((await demo.reading()).form, BLUE_ROOM, 'and answers');
+});
