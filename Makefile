@@ -15,6 +15,9 @@ override TOOLS := $(abspath $(TOOLS))
 SITE := $(abspath target/site)
 PORT ?= 8080
 
+# What the site is made of.
+SOURCES := $(shell find src www assets Trunk.toml Cargo.toml Cargo.lock -type f)
+
 # wasm-bindgen's command line must equal the crate's version exactly.
 BINDGEN := $(shell awk -F '"' '/^name = "wasm-bindgen"$$/ { getline; print $$2 }' Cargo.lock)
 TRUNK := 0.21.14
@@ -59,9 +62,11 @@ lint: rust-parts wasm-target ## formatting and clippy, natively and for wasm32, 
 bench: ## CPU time of the engine's parts, beside the reference system's
 	cargo bench --bench engine
 
-build: wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages ## build the release site into target/site
+build: $(SITE)/index.html ## build the release site into target/site, if anything it is made of has changed
+
+$(SITE)/index.html: $(SOURCES) | wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages
 	$(call run,build,Building the release site (the first time takes some minutes),\
-		trunk build --release --dist "$(SITE)" && test -s "$(SITE)/index.html")
+		trunk build --release --dist "$(SITE)" && test -s "$(SITE)/index.html" && touch "$(SITE)/index.html")
 
 shots: build chromium ## take the pictures of the README anew, from the real page
 	node tests/e2e/run.mjs --folder shots
