@@ -7,6 +7,8 @@
     reason = "a failing test panics"
 )]
 
+#[path = "suite/command.rs"]
+mod command;
 #[path = "suite/everywhere.rs"]
 mod everywhere;
 #[path = "suite/logic.rs"]

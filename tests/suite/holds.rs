@@ -1,31 +1,13 @@
 //! The command `holds`, run as a person or a script runs it: every conformance case, and bad lines answered
 //! in their place.
 
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
-
-fn holds(input: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_groundling"));
-    command.arg("holds").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = command.spawn().unwrap();
-    let mut stdin = child.stdin.take().unwrap();
-    let input = input.to_owned();
-    let writer = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
-    let output = child.wait_with_output().unwrap();
-    writer.join().unwrap().unwrap();
-    output
-}
-
-fn answers(output: &Output) -> Vec<serde_json::Value> {
-    let text = std::str::from_utf8(&output.stdout).unwrap();
-    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
-}
+use crate::command::{answers, run};
 
 const CASES: &str = include_str!("../data/conformance/goals.jsonl");
 
 #[test]
 fn every_conformance_case_is_answered_as_it_says() {
-    let output = holds(CASES);
+    let output = run("holds", CASES);
     assert!(output.status.success(), "{output:?}");
     let answers = answers(&output);
     assert_eq!(answers.len(), CASES.lines().count());
@@ -45,7 +27,7 @@ fn a_bad_line_is_answered_in_its_place() {
         (good.replacen("(red:", "(purple:", 1), "goal: unknown constant purple"),
         (good.replacen("\"west\"", "\"up\"", 1), "initial: unknown direction `up`"),
     ] {
-        let output = holds(&format!("{good}\n{bad}\n{good}\n"));
+        let output = run("holds", &format!("{good}\n{bad}\n{good}\n"));
         assert_eq!(output.status.code(), Some(2), "{bad}");
         let answers = answers(&output);
         assert_eq!(answers.len(), 3, "{bad}");

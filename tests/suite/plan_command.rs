@@ -1,31 +1,13 @@
 //! The command `plan`, run as a script runs it: the conformance file as it is, reasons, and what is refused
 //! in its place.
 
-use std::io::Write;
-use std::process::{Command, Output, Stdio};
+use crate::command::{answers, run};
 
 const CASES: &str = include_str!("../data/conformance/plans.jsonl");
 
-fn plan(input: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_groundling"));
-    command.arg("plan").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = command.spawn().unwrap();
-    let mut stdin = child.stdin.take().unwrap();
-    let input = input.to_owned();
-    let writer = std::thread::spawn(move || stdin.write_all(input.as_bytes()));
-    let output = child.wait_with_output().unwrap();
-    writer.join().unwrap().unwrap();
-    output
-}
-
-fn answers(output: &Output) -> Vec<serde_json::Value> {
-    let text = std::str::from_utf8(&output.stdout).unwrap();
-    text.lines().map(|line| serde_json::from_str(line).unwrap()).collect()
-}
-
 #[test]
 fn every_conformance_case_has_its_length_and_value() {
-    let output = plan(CASES);
+    let output = run("plan", CASES);
     assert!(output.status.success(), "{output:?}");
     let answers = answers(&output);
     assert_eq!(answers.len(), CASES.lines().count());
@@ -73,7 +55,7 @@ fn reasons_are_told_apart() {
         question("red:<e,t>", ""),
     ]
     .concat();
-    let output = plan(&input);
+    let output = run("plan", &input);
     assert!(output.status.success(), "{output:?}");
     let answers = answers(&output);
     assert_eq!(answers[0]["length"], 0);
@@ -108,7 +90,7 @@ fn what_is_not_there_is_refused_in_its_place() {
     let in_wall = question("true:t", "")
         .replace("\"agent\":{", "\"agent\":{\"z\":0,")
         .replace("\"x\":4,\"y\":4", "\"x\":0,\"y\":0");
-    let output = plan(&format!("{good}{bad}{in_wall}not json\n{good}"));
+    let output = run("plan", &format!("{good}{bad}{in_wall}not json\n{good}"));
     assert_eq!(output.status.code(), Some(2));
     let answers = answers(&output);
     assert_eq!(answers.len(), cases.len() + 4);
