@@ -47,6 +47,28 @@ pub fn json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     Ok(value)
 }
 
+/// Which state of a demonstration a flaw is in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "before and after")]
+pub enum Moment {
+    Before,
+    After,
+}
+
+/// A demonstration of two cells; every flaw and oddity goes to `flaw`. `None` when it cannot be used.
+pub fn demonstration(pre: &str, post: &str, mut flaw: impl FnMut(Moment, String)) -> Option<Pair> {
+    let before = before(pre).map_err(|error| flaw(Moment::Before, error));
+    let after = after(post).map_err(|error| flaw(Moment::After, error));
+    let (Ok(before), Ok((after, mut said))) = (before, after) else { return None };
+    let (pair, more) = match pair(before, after) {
+        Ok((pair, oddities)) => (Some(pair), oddities),
+        Err(errors) => (None, errors),
+    };
+    said.extend(more);
+    said.into_iter().for_each(|message| flaw(Moment::After, message));
+    pair
+}
+
 /// A demonstration of two states, and what is odd about it.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! JSON lines: `{id, command, task?, worker?, pairs: [{pre, post}]}` a line, in and out.
 
-use super::cell;
+use super::cell::{self, Moment};
 use super::example::{
     Corpus, Example, Flaw, MAX_CELL_BYTES, MAX_FILE_BYTES, MAX_PAIRS, MAX_ROWS, Row,
 };
@@ -174,24 +174,12 @@ fn row(text: &str, line: u64) -> Row {
     }
     let mut pairs = Vec::new();
     for (n, read) in read.pairs.iter().take(MAX_PAIRS).enumerate() {
-        let column = |side: &str| format!("pairs[{n}].{side}");
-        let before = cell::before(read.pre.get()).map_err(|e| flaw(column("pre"), e));
-        let after = cell::after(read.post.get()).map_err(|e| flaw(column("post"), e));
-        let (Ok(before), Ok((after, mut odd))) = (before, after) else {
-            good = false;
-            continue;
-        };
-        match cell::pair(before, after) {
-            Ok((pair, more)) => {
-                pairs.push(pair);
-                odd.extend(more);
-            }
-            Err(errors) => {
-                odd.extend(errors);
-                good = false;
-            }
-        }
-        odd.into_iter().for_each(|message| flaw(column("post"), message));
+        let found = cell::demonstration(read.pre.get(), read.post.get(), |moment, message| {
+            let side = if moment == Moment::Before { "pre" } else { "post" };
+            flaw(format!("pairs[{n}].{side}"), message);
+        });
+        good &= found.is_some();
+        pairs.extend(found);
     }
     flaws.iter_mut().for_each(|flaw| flaw.kept = good);
     let example = good.then(|| Example {

@@ -1,7 +1,7 @@
 //! Mechanical Turk's batch-results CSV, in and out, with the quirks of real files: columns in any order and
 //! found by name, rows without their last cells, answers of crowd-html forms as JSON in one cell.
 
-use super::cell;
+use super::cell::{self, Moment};
 use super::example::{
     Corpus, Example, Flaw, MAX_CELL_BYTES, MAX_COMMAND_CHARS, MAX_PAIRS, MAX_ROWS, Row,
 };
@@ -156,23 +156,11 @@ impl<R: Read> Reader<R> {
                 good = false;
                 continue;
             }
-            let before = cell::before(at(pre)).map_err(|e| flaw(name_of(pre), e));
-            let after = cell::after(at(post)).map_err(|e| flaw(name_of(post), e));
-            let (Ok(before), Ok((after, mut odd))) = (before, after) else {
-                good = false;
-                continue;
-            };
-            match cell::pair(before, after) {
-                Ok((pair, more)) => {
-                    pairs.push(pair);
-                    odd.extend(more);
-                }
-                Err(errors) => {
-                    odd.extend(errors);
-                    good = false;
-                }
-            }
-            odd.into_iter().for_each(|message| flaw(name_of(post), message));
+            let found = cell::demonstration(at(pre), at(post), |moment, message| {
+                flaw(name_of(if moment == Moment::Before { pre } else { post }), message);
+            });
+            good &= found.is_some();
+            pairs.extend(found);
         }
         flaws.iter_mut().for_each(|flaw| flaw.kept = good);
         let example = good.then(|| Example {
