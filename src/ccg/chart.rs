@@ -163,11 +163,6 @@ impl Chart {
         &self.edges[index as usize]
     }
 
-    /// The number of edges.
-    pub fn n_edges(&self) -> usize {
-        self.edges.len()
-    }
-
     /// The edges over the whole sentence, best first.
     pub fn roots(&self) -> std::ops::Range<u32> {
         if self.words == 0 { 0..0 } else { self.at(0, self.words).edges.clone() }

@@ -100,16 +100,6 @@ impl Features {
         self.index.get(&feature).map_or(0.0, |&id| self.weights[id.0 as usize] * feature.scale())
     }
 
-    /// The weight of an interned feature.
-    pub fn weight(&self, id: FeatureId) -> f64 {
-        self.weights[id.0 as usize]
-    }
-
-    /// The feature behind an id.
-    pub fn key(&self, id: FeatureId) -> Feature {
-        self.keys[id.0 as usize]
-    }
-
     /// Sets a weight.
     pub fn set(&mut self, feature: Feature, weight: f64) {
         let id = self.intern(feature);

@@ -114,18 +114,6 @@ impl Validator {
             Some(evaluator.extension(term, Side::Pre, &mut Vec::new())? != 0)
         }
     }
-
-    /// Forgets what is known of terms (not of pairs): when the arena changes, or memory runs short.
-    pub fn forget(&mut self) {
-        self.meanings.clear();
-        self.referents.clear();
-        self.answers.clear();
-    }
-
-    /// The number of answers and referents that are remembered.
-    pub fn remembered(&self) -> usize {
-        self.answers.len() + self.referents.len()
-    }
 }
 
 /// A state of a pair.

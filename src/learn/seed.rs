@@ -2,10 +2,8 @@
 
 use crate::ccg::Model;
 use crate::ccg::lexicon_text::{LexiconError, read_lexicon};
+use crate::ground::ONTOLOGY;
 use crate::logic::Signature;
-
-/// The constants of Cleanup World.
-const ONTOLOGY: &str = include_str!("../../assets/lexicon/ontology.txt");
 
 /// The seed lexicon of the paper's demonstration with six sentences.
 pub const DEMONSTRATION_LEXICON: &str = include_str!("../../assets/lexicon/demonstration.txt");

@@ -133,7 +133,6 @@ pub struct Trainer {
     next: usize,
     phase: Phase,
     so_far: Epoch,
-    epochs: Vec<Epoch>,
 }
 
 impl Trainer {
@@ -166,7 +165,6 @@ impl Trainer {
             next: 0,
             phase: Phase::Explain,
             so_far: Epoch::default(),
-            epochs: Vec::new(),
         };
         trainer.begin_epoch();
         trainer
@@ -246,11 +244,6 @@ impl Trainer {
         self.epoch > self.config.epochs || self.items.is_empty()
     }
 
-    /// What each epoch that is over did.
-    pub fn epochs(&self) -> &[Epoch] {
-        &self.epochs
-    }
-
     /// The model as it is now.
     pub fn model(&self) -> &Model {
         &self.model
@@ -304,7 +297,6 @@ impl Trainer {
         let progress = Progress { epoch: self.epoch, example: self.next, so_far: self.so_far };
         if self.next == self.items.len() {
             self.model.facts.insert("valid".to_owned(), self.so_far.valid.to_string());
-            self.epochs.push(self.so_far);
             self.begin_epoch();
         }
         Some(progress)

@@ -170,14 +170,8 @@ impl Engine {
     }
 
     fn keep_model(&mut self, trainer: Trainer) -> Event {
-        let (examples, last) = (trainer.n_examples(), trainer.epochs().last().copied());
         let model = trainer.averaged();
-        let report = TrainReport {
-            model: model.print(),
-            examples,
-            valid: last.unwrap_or_default().valid,
-            entries: model.lexicon.len(),
-        };
+        let report = train_report(&model, model.print());
         self.model = Some(model);
         Event::Trained(report)
     }
@@ -185,11 +179,7 @@ impl Engine {
     fn open_model(&mut self, text: String) -> Event {
         match Model::read(&text) {
             Ok(model) => {
-                let fact = |name: &str| model.facts.get(name)?.parse().ok();
-                let examples = fact("examples").unwrap_or(0);
-                let valid = fact("valid").unwrap_or(0);
-                let report =
-                    TrainReport { model: text, examples, valid, entries: model.lexicon.len() };
+                let report = train_report(&model, text);
                 self.model = Some(model);
                 Event::Trained(report)
             }
@@ -216,6 +206,17 @@ fn read_corpus(name: String, text: String) -> Job {
 
 fn refuse(message: &str) -> Job {
     Job::Say(Event::Refused { message: message.to_owned() })
+}
+
+/// What a model says of how it was trained; `text` is its file.
+fn train_report(model: &Model, text: String) -> TrainReport {
+    let fact = |name: &str| model.facts.get(name).and_then(|text| text.parse().ok()).unwrap_or(0);
+    TrainReport {
+        model: text,
+        examples: fact("examples"),
+        valid: fact("valid"),
+        entries: model.lexicon.len(),
+    }
 }
 
 fn problem(flaw: Flaw) -> Problem {
