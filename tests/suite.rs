@@ -43,3 +43,5 @@ mod demonstration;
 mod ui;
 #[path = "suite/plan_command.rs"]
 mod plan_command;
+#[path = "suite/experiment.rs"]
+mod experiment;

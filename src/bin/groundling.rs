@@ -6,6 +6,10 @@
 mod command;
 #[path = "groundling/corpora.rs"]
 mod corpora;
+#[path = "groundling/figures.rs"]
+mod figures;
+#[path = "groundling/parallel.rs"]
+mod parallel;
 #[path = "groundling/train.rs"]
 mod train;
 #[path = "groundling/evaluate.rs"]
@@ -18,6 +22,8 @@ mod holds;
 mod plan;
 #[path = "groundling/reduce.rs"]
 mod reduce;
+#[path = "groundling/experiment.rs"]
+mod experiment;
 
 use command::{Command, Done, Failure};
 use std::ffi::OsString;
@@ -32,6 +38,7 @@ const COMMANDS: &[Command] = &[
     holds::COMMAND,
     plan::COMMAND,
     reduce::COMMAND,
+    experiment::COMMAND,
 ];
 
 fn main() -> ExitCode {

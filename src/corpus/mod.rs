@@ -7,6 +7,8 @@ pub mod jsonl;
 pub mod mturk;
 pub mod read;
 pub mod record;
+pub mod split;
 
 pub use example::{Corpus, Example, Flaw, Pair, Row};
 pub use read::{Form, Options, Rows, read};
+pub use split::{Fold, folds};

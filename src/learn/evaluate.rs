@@ -1,91 +1,108 @@
-//! Scoring a model on commands with demonstrations: one best form is an answer, tied best forms abstain, no parse
+//! Judging a model on commands with demonstrations: one best form is an answer, tied best forms abstain, no parse
 //! is no answer; then the same with the parse that skips words counted (Williams et al., Section VI).
 
+use super::confusion::Observer;
+use super::report::Report;
+use super::score::{Mark, Scores, Ties, Verdict};
 use crate::ccg::chart::ChartConfig;
-use crate::ccg::{Model, parse};
-use crate::corpus::Example;
-use crate::ground::{PairId, Validator};
+use crate::ccg::{Model, Parse, parse};
+use crate::corpus::{Example, Pair};
+use crate::ground::{Goal, PairId, Validator};
+use crate::logic::{TermId, Terms};
 
-/// How often a model answered and was right.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Score {
-    /// Commands that got an answer.
-    pub answered: usize,
-    /// Answers that hold on all demonstrations.
-    pub correct: usize,
+/// What judges a model's answers to the commands of one corpus.
+pub struct Judge {
+    config: ChartConfig,
+    observer: Observer,
+    report: Report,
+    scores: Scores,
 }
 
-impl Score {
-    /// correct / answered; 0 when nothing was answered.
-    pub fn precision(self) -> f64 {
-        ratio(self.correct, self.answered)
+impl Judge {
+    /// A judge that has heard nothing; `examples` are those that will be asked.
+    pub fn new(examples: &[Example], config: ChartConfig) -> Self {
+        let (report, scores) = (Report::default(), Scores::default());
+        Judge { config, observer: Observer::new(examples), report, scores }
     }
 
-    /// correct / `total`; 0 when there is nothing.
-    pub fn recall(self, total: usize) -> f64 {
-        ratio(self.correct, total)
+    /// Asks the model one command, and says how all those asked so far were answered.
+    pub fn ask(&mut self, model: &mut Model, example: &Example) -> Scores {
+        let parse = parse(model, &example.command, self.config);
+        let terms = &model.grammar.terms;
+        let mut validator = Validator::new();
+        let pairs: Vec<PairId> =
+            example.pairs.iter().map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
+        let mut verdict = |form: Option<TermId>| match form {
+            None => Verdict::Silent,
+            Some(form) if validator.valid(terms, form, &pairs) => Verdict::Right,
+            Some(_) => Verdict::Wrong,
+        };
+        let form = parse.answer().map(|reading| reading.form);
+        let mark = Mark {
+            task: example.task.clone(),
+            answer: verdict(form),
+            resolved: verdict(form.or_else(|| resolve(terms, &parse, &example.pairs))),
+            skipped: !parse.skipped.is_empty(),
+        };
+        if let (Verdict::Wrong, Some(form)) = (mark.answer, form) {
+            let does = self.observer.recognise(terms, form, example.task.as_deref());
+            self.report.confusion.count(example.task.as_deref(), does);
+        }
+        self.scores.count(&mark, Ties::Abstain);
+        self.report.marks.push(mark);
+        self.scores
     }
 
-    /// The harmonic mean of precision and recall.
-    pub fn f1(self, total: usize) -> f64 {
-        let (p, r) = (self.precision(), self.recall(total));
-        if p + r == 0.0 { 0.0 } else { 2.0 * p * r / (p + r) }
+    /// How all those asked so far were answered.
+    pub fn scores(&self) -> Scores {
+        self.scores
+    }
+
+    /// Hands over what was found so far.
+    pub fn take_report(&mut self) -> Report {
+        std::mem::take(&mut self.report)
     }
 }
 
-/// What an evaluation has found so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Scores {
-    /// Commands seen.
-    pub total: usize,
-    /// Without skipping words.
-    pub plain: Score,
-    /// With the skipping parse counted.
-    pub skipping: Score,
+/// The one of the forms tied for best all of whose phrases refer in every state before.
+fn resolve(terms: &Terms, parse: &Parse, pairs: &[Pair]) -> Option<TermId> {
+    let refers = |form: &TermId| {
+        pairs.iter().all(|pair| {
+            Goal::new(terms, *form, &pair.pre).is_ok_and(|goal| goal.failures().is_empty())
+        })
+    };
+    let tied = parse.readings.iter().take(parse.tied()).map(|reading| reading.form);
+    let mut refer = tied.filter(refers);
+    let first = refer.next()?;
+    refer.next().is_none().then_some(first)
 }
 
 /// An evaluation, command by command.
 pub struct Evaluation<'a> {
     model: &'a mut Model,
     examples: &'a [Example],
-    config: ChartConfig,
-    scores: Scores,
+    judge: Judge,
 }
 
 impl<'a> Evaluation<'a> {
     /// An evaluation of a model on examples.
     pub fn new(model: &'a mut Model, examples: &'a [Example], config: ChartConfig) -> Self {
-        Evaluation { model, examples, config, scores: Scores::default() }
+        Evaluation { model, examples, judge: Judge::new(examples, config) }
     }
 
     /// Scores the next command; `None` when all are done.
     pub fn step(&mut self) -> Option<Scores> {
-        let example = self.examples.get(self.scores.total)?;
-        self.scores.total += 1;
-        let parse = parse(self.model, &example.command, self.config);
-        if let Some(answer) = parse.answer() {
-            let mut validator = Validator::new();
-            let pairs: Vec<PairId> =
-                example.pairs.iter().map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
-            let correct = validator.valid(&self.model.grammar.terms, answer.form, &pairs);
-            let count = |score: &mut Score| {
-                score.answered += 1;
-                score.correct += usize::from(correct);
-            };
-            if parse.skipped.is_empty() {
-                count(&mut self.scores.plain);
-            }
-            count(&mut self.scores.skipping);
-        }
-        Some(self.scores)
+        let example = self.examples.get(self.scores().total)?;
+        Some(self.judge.ask(self.model, example))
     }
 
     /// What was found so far.
     pub fn scores(&self) -> Scores {
-        self.scores
+        self.judge.scores()
     }
-}
 
-fn ratio(part: usize, whole: usize) -> f64 {
-    if whole == 0 { 0.0 } else { part as f64 / whole as f64 }
+    /// All that was found.
+    pub fn into_report(mut self) -> Report {
+        self.judge.take_report()
+    }
 }

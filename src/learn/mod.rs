@@ -5,8 +5,15 @@ pub mod seed;
 pub mod genlex;
 pub mod perceptron;
 pub mod trainer;
+pub mod score;
+pub mod confusion;
+pub mod report;
 pub mod evaluate;
+pub mod experiment;
+pub mod paper;
 
-pub use evaluate::{Evaluation, Score, Scores};
+pub use evaluate::{Evaluation, Judge};
+pub use report::Report;
+pub use score::{Mark, Score, Scores, Ties, Verdict};
 pub use seed::{CLEANUP_LEXICON, DEMONSTRATION_LEXICON, seed_model};
 pub use trainer::{Config, Epoch, Progress, Trainer};

@@ -61,6 +61,12 @@ impl From<lexopt::Error> for Failure {
     }
 }
 
+/// Writes a result to standard output, as a line or lines of its own.
+pub(crate) fn print(text: &str) -> Result<Done, Failure> {
+    writeln!(io::stdout(), "{text}").map_err(Failure::Output)?;
+    Ok(Done::Well)
+}
+
 fn name(path: &Path) -> String {
     if path.as_os_str().is_empty() { "standard input".into() } else { path.display().to_string() }
 }

@@ -2,7 +2,7 @@
 
 use super::command::{Command, Done, Failure};
 use super::corpora::{examples, model};
-use super::train::scores_json;
+use super::figures::{report_json, report_text};
 use groundling::ccg::ChartConfig;
 use groundling::learn::Evaluation;
 use std::io::{self, Write};
@@ -40,25 +40,13 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     let config = ChartConfig::of(&model);
     let mut evaluation = Evaluation::new(&mut model, &examples, config);
     while evaluation.step().is_some() {}
-    let scores = evaluation.scores();
+    let report = evaluation.into_report();
     let text = if as_json {
-        let mut report = scores_json(scores);
-        report["seconds"] = started.elapsed().as_secs_f64().into();
-        report.to_string()
+        let mut object = report_json(&report);
+        object["seconds"] = started.elapsed().as_secs_f64().into();
+        object.to_string()
     } else {
-        let line = |name, score: groundling::learn::Score| {
-            format!(
-                "{name:<18} answered {:>5}   correct {:>5}   precision {:.3}   recall {:.3}   F1 {:.3}",
-                score.answered,
-                score.correct,
-                score.precision(),
-                score.recall(scores.total),
-                score.f1(scores.total),
-            )
-        };
-        let heading = format!("{} commands", scores.total);
-        [heading, line("without skipping", scores.plain), line("with skipping", scores.skipping)]
-            .join("\n")
+        report_text(&report)
     };
     writeln!(io::stdout(), "{text}").map_err(Failure::Output)?;
     Ok(Done::Well)

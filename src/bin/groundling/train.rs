@@ -2,9 +2,10 @@
 
 use super::command::{Command, Done, Failure};
 use super::corpora::{examples, model, text, write};
+use super::figures::scores_json;
 use groundling::ccg::ChartConfig;
 use groundling::corpus::Example;
-use groundling::learn::{Config, DEMONSTRATION_LEXICON, Evaluation, Scores, Trainer, seed_model};
+use groundling::learn::{Config, DEMONSTRATION_LEXICON, Evaluation, Trainer, seed_model};
 use lexopt::ValueExt;
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -120,21 +121,6 @@ fn held_out_scores(trainer: &Trainer, examples: &[Example], config: &Config) -> 
     scores_json(evaluation.scores())
 }
 
-/// The six figures, and the six with the skipping parse counted.
-pub(crate) fn scores_json(scores: Scores) -> Value {
-    let mut object = serde_json::Map::new();
-    for (prefix, score) in [("", scores.plain), ("skipping_", scores.skipping)] {
-        let mut add = |name: &str, value: Value| object.insert(format!("{prefix}{name}"), value);
-        add("total", scores.total.into());
-        add("answered", score.answered.into());
-        add("correct", score.correct.into());
-        add("precision", score.precision().into());
-        add("recall", score.recall(scores.total).into());
-        add("f1", score.f1(scores.total).into());
-    }
-    Value::Object(object)
-}
-
 fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
     use lexopt::Arg::{Long, Value};
     let mut options = Options::default();
@@ -173,7 +159,7 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
     Ok(options)
 }
 
-fn at_least_one(arguments: &mut lexopt::Parser, name: &str) -> Result<u32, Failure> {
+pub(crate) fn at_least_one(arguments: &mut lexopt::Parser, name: &str) -> Result<u32, Failure> {
     match arguments.value()?.parse()? {
         0 => Err(Failure::Usage(format!("{name} must be at least 1"))),
         n => Ok(n),

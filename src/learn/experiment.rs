@@ -1,0 +1,233 @@
+//! Experiments: runs of training and judging that do not depend on each other, each a pure function of corpora,
+//! seed lexicon and settings, pumped in bounded steps. Whoever owns threads may run them side by side.
+
+use super::evaluate::Judge;
+use super::report::Report;
+use super::score::Scores;
+use super::trainer::{Config, Epoch, Progress, Trainer};
+use crate::ccg::{ChartConfig, Model, words};
+use crate::corpus::{Example, Fold, folds};
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+/// Some rows of a corpus; a corpus is shared between the runs that use it.
+#[derive(Clone, Debug)]
+pub struct Selection {
+    corpus: Arc<[Example]>,
+    /// `None` for all.
+    rows: Option<Vec<u32>>,
+}
+
+impl Selection {
+    /// All rows.
+    pub fn all(corpus: &Arc<[Example]>) -> Self {
+        Selection { corpus: corpus.clone(), rows: None }
+    }
+
+    /// The rows with these indices; those that there are.
+    pub fn of(corpus: &Arc<[Example]>, rows: Vec<u32>) -> Self {
+        Selection { corpus: corpus.clone(), rows: Some(rows) }
+    }
+
+    /// The number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.as_ref().map_or(self.corpus.len(), Vec::len)
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The rows.
+    pub fn examples(&self) -> Vec<Example> {
+        match &self.rows {
+            None => self.corpus.to_vec(),
+            Some(rows) => {
+                rows.iter().filter_map(|&row| self.corpus.get(row as usize)).cloned().collect()
+            }
+        }
+    }
+}
+
+/// One run: what is learned from, what is judged on, and how.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// What a table calls it.
+    pub name: String,
+    /// What is learned from.
+    pub train: Selection,
+    /// What is judged on.
+    pub test: Selection,
+    /// The settings of training.
+    pub config: Config,
+}
+
+/// What a run found.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// Examples learned from.
+    pub examples: usize,
+    /// What the last epoch did.
+    pub last: Epoch,
+    /// The judgement.
+    pub report: Report,
+}
+
+/// What there is to say of a run at work.
+#[derive(Clone, Debug)]
+pub enum Event {
+    /// Training has seen one more example of so many.
+    Trained(Progress, usize),
+    /// One more command was judged, of so many.
+    Judged(Scores, usize),
+    /// The run is over.
+    Ended(Box<Outcome>),
+}
+
+/// A run at work.
+pub struct Running {
+    run: Run,
+    last: Epoch,
+    stage: Stage,
+}
+
+enum Stage {
+    Training(Box<Trainer>),
+    Judging(Box<Judging>),
+    Over,
+}
+
+struct Judging {
+    model: Model,
+    examples: Vec<Example>,
+    judge: Judge,
+}
+
+impl Running {
+    /// A run that begins, from a model that knows a seed lexicon.
+    pub fn new(run: Run, seed: Model) -> Self {
+        let trainer = Trainer::new(seed, &run.train.examples(), run.config.clone());
+        Running { run, last: Epoch::default(), stage: Stage::Training(Box::new(trainer)) }
+    }
+
+    /// Whether training is done.
+    pub fn is_trained(&self) -> bool {
+        !matches!(self.stage, Stage::Training(_))
+    }
+
+    /// Whether there is nothing left to do.
+    pub fn is_over(&self) -> bool {
+        matches!(self.stage, Stage::Over)
+    }
+
+    /// Does a bounded part, and says what there is to say of it.
+    pub fn step(&mut self) -> Option<Event> {
+        match &mut self.stage {
+            Stage::Training(trainer) if !trainer.is_done() => {
+                let progress = trainer.step()?;
+                self.last = progress.so_far;
+                Some(Event::Trained(progress, trainer.n_examples()))
+            }
+            Stage::Training(trainer) => {
+                let model = trainer.averaged();
+                let examples = self.run.test.examples();
+                let judge = Judge::new(&examples, ChartConfig::of(&model));
+                self.stage = Stage::Judging(Box::new(Judging { model, examples, judge }));
+                None
+            }
+            Stage::Judging(judging) => {
+                let Judging { model, examples, judge } = &mut **judging;
+                if let Some(example) = examples.get(judge.scores().total) {
+                    let scores = judge.ask(model, example);
+                    return Some(Event::Judged(scores, examples.len()));
+                }
+                let outcome = Outcome {
+                    examples: self.run.train.len(),
+                    last: self.last,
+                    report: judge.take_report(),
+                };
+                self.stage = Stage::Over;
+                Some(Event::Ended(Box::new(outcome)))
+            }
+            Stage::Over => None,
+        }
+    }
+}
+
+/// Runs, one after the other.
+pub struct Experiment {
+    seed: Model,
+    waiting: VecDeque<Run>,
+    running: Option<Running>,
+    at: usize,
+}
+
+impl Experiment {
+    /// An experiment that begins; every run starts from `seed`.
+    pub fn new(seed: Model, runs: Vec<Run>) -> Self {
+        Experiment { seed, waiting: runs.into(), running: None, at: 0 }
+    }
+
+    /// Whether there is nothing left to do.
+    pub fn is_over(&self) -> bool {
+        self.waiting.is_empty() && self.running.is_none()
+    }
+
+    /// Does a bounded part, and says what there is to say of it and of which run, from 0.
+    pub fn step(&mut self) -> Option<(usize, Event)> {
+        match &mut self.running {
+            None => {
+                let run = self.waiting.pop_front()?;
+                self.running = Some(Running::new(run, self.seed.clone()));
+                None
+            }
+            Some(running) => {
+                let event = running.step()?;
+                let at = self.at;
+                if running.is_over() {
+                    self.running = None;
+                    self.at += 1;
+                }
+                Some((at, event))
+            }
+        }
+    }
+}
+
+/// What stays together in cross-validation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// Commands that are the same when their words are.
+    Command,
+    /// Nothing: every row by itself, as in the paper's own split.
+    Row,
+    /// Commands of one task; those without a label are one task more.
+    Task,
+}
+
+impl By {
+    /// All ways, by name.
+    pub const ALL: [(&'static str, By); 3] =
+        [("command", By::Command), ("row", By::Row), ("task", By::Task)];
+
+    fn key(self, (row, example): (usize, &Example)) -> String {
+        match self {
+            By::Command => words(&example.command).join(" "),
+            By::Row => row.to_string(),
+            By::Task => example.task.clone().unwrap_or_default(),
+        }
+    }
+}
+
+/// The runs of a cross-validation: for each of `n` folds, training on all others and judging on it.
+pub fn cross(corpus: &Arc<[Example]>, n: u32, by: By, config: &Config) -> Vec<Run> {
+    let keys: Vec<String> = corpus.iter().enumerate().map(|row| by.key(row)).collect();
+    let run = |(number, Fold { train, test }): (usize, Fold)| Run {
+        name: format!("fold {number}"),
+        train: Selection::of(corpus, train),
+        test: Selection::of(corpus, test),
+        config: config.clone(),
+    };
+    (1..).zip(folds(&keys, n, config.seed)).map(run).collect()
+}
