@@ -61,6 +61,11 @@ impl Validator {
         PairId(u32::try_from(at).unwrap_or(u32::MAX))
     }
 
+    /// The state before a pair.
+    pub fn pre(&self, pair: PairId) -> Option<&State> {
+        self.pairs.get_index(pair.0 as usize).map(|(pre, _)| pre)
+    }
+
     /// Whether a term is false before and true after each of the pairs, its phrases bound before. A term
     /// that is no goal is not, and without pairs nothing is.
     pub fn valid(&mut self, terms: &Terms, term: TermId, pairs: &[PairId]) -> bool {

@@ -2,6 +2,8 @@
 //! seed lexicon and settings, pumped in bounded steps. Whoever owns threads may run them side by side.
 
 use super::evaluate::Judge;
+use super::paper;
+use super::planning::{PlannerCost, Planning};
 use super::report::Report;
 use super::score::Scores;
 use super::trainer::{Config, Epoch, Progress, Trainer};
@@ -61,6 +63,8 @@ pub struct Run {
     pub test: Selection,
     /// The settings of training.
     pub config: Config,
+    /// The F1 that the paper reports for this.
+    pub paper_f1: Option<f64>,
 }
 
 /// What a run found.
@@ -70,6 +74,8 @@ pub struct Outcome {
     pub examples: usize,
     /// What the last epoch did.
     pub last: Epoch,
+    /// What planning cost, in a run that plans.
+    pub planner: Option<PlannerCost>,
     /// The judgement.
     pub report: Report,
 }
@@ -82,13 +88,19 @@ pub enum Event {
     /// One more command was judged, of so many.
     Judged(Scores, usize),
     /// The run is over.
-    Ended(Box<Outcome>),
+    Ended {
+        /// What it found.
+        outcome: Box<Outcome>,
+        /// What it learned.
+        model: Box<Model>,
+    },
 }
 
 /// A run at work.
 pub struct Running {
     run: Run,
     last: Epoch,
+    planner: Option<PlannerCost>,
     stage: Stage,
 }
 
@@ -108,7 +120,8 @@ impl Running {
     /// A run that begins, from a model that knows a seed lexicon.
     pub fn new(run: Run, seed: Model) -> Self {
         let trainer = Trainer::new(seed, &run.train.examples(), run.config.clone());
-        Running { run, last: Epoch::default(), stage: Stage::Training(Box::new(trainer)) }
+        let stage = Stage::Training(Box::new(trainer));
+        Running { run, last: Epoch::default(), planner: None, stage }
     }
 
     /// Whether training is done.
@@ -130,6 +143,7 @@ impl Running {
                 Some(Event::Trained(progress, trainer.n_examples()))
             }
             Stage::Training(trainer) => {
+                self.planner = trainer.planner_cost();
                 let model = trainer.averaged();
                 let examples = self.run.test.examples();
                 let judge = Judge::new(&examples, ChartConfig::of(&model));
@@ -145,10 +159,13 @@ impl Running {
                 let outcome = Outcome {
                     examples: self.run.train.len(),
                     last: self.last,
+                    planner: self.planner,
                     report: judge.take_report(),
                 };
+                let outcome = Box::new(outcome);
+                let model = Box::new(std::mem::take(model));
                 self.stage = Stage::Over;
-                Some(Event::Ended(Box::new(outcome)))
+                Some(Event::Ended { outcome, model })
             }
             Stage::Over => None,
         }
@@ -228,6 +245,52 @@ pub fn cross(corpus: &Arc<[Example]>, n: u32, by: By, config: &Config) -> Vec<Ru
         train: Selection::of(corpus, train),
         test: Selection::of(corpus, test),
         config: config.clone(),
+        paper_f1: None,
     };
     (1..).zip(folds(&keys, n, config.seed)).map(run).collect()
+}
+
+/// The rows of Table II for one set: all three, the first two, the first of each command's demonstrations, judged
+/// on the same test set. `name` is the set's; those of the paper are `raw` and `pruned`.
+pub fn table_2(name: &str, train: &Selection, test: &Selection, config: &Config) -> Vec<Run> {
+    let run = |demonstrations| Run {
+        name: format!("{name}, {demonstrations}"),
+        train: train.clone(),
+        test: test.clone(),
+        config: Config { demonstrations: Some(demonstrations), ..config.clone() },
+        paper_f1: paper::table_2(name, demonstrations),
+    };
+    [3, 2, 1].map(run).into()
+}
+
+/// The rows of Table III: learning without a planner, and with one for each of the paper's horizons; after those,
+/// if asked for, the same without memo. `budget` is [`Planning::budget`].
+pub fn table_3(
+    train: &Selection,
+    test: &Selection,
+    config: &Config,
+    budget: u64,
+    memos: &[bool],
+) -> Vec<Run> {
+    let run = |planning: Option<Planning>| {
+        let horizon = planning.map(|planning| planning.horizon);
+        let name = match planning {
+            None => "no planning".to_owned(),
+            Some(Planning { horizon, memo: true, .. }) => format!("horizon {horizon}"),
+            Some(Planning { horizon, memo: false, .. }) => format!("horizon {horizon}, no memo"),
+        };
+        Run {
+            name,
+            train: train.clone(),
+            test: test.clone(),
+            config: Config { planning, ..config.clone() },
+            paper_f1: paper::table_3(horizon).map(|row| row.f1),
+        }
+    };
+    let mut runs = vec![run(None)];
+    for &memo in memos {
+        let horizons = paper::TABLE_3.iter().filter_map(|row| row.horizon);
+        runs.extend(horizons.map(|horizon| run(Some(Planning { horizon, memo, budget }))));
+    }
+    runs
 }

@@ -1,9 +1,11 @@
 //! Learning a parser from commands and the states before and after them: coarse lexical generation and the
-//! validation-driven perceptron (Artzi and Zettlemoyer 2013; Williams et al., Section IV-B). Never plans.
+//! validation-driven perceptron (Artzi and Zettlemoyer 2013; Williams et al., Section IV-B). Never plans,
+//! but in the baseline of `planning`.
 
 pub mod seed;
 pub mod genlex;
 pub mod perceptron;
+pub mod planning;
 pub mod trainer;
 pub mod score;
 pub mod confusion;
@@ -13,6 +15,7 @@ pub mod experiment;
 pub mod paper;
 
 pub use evaluate::{Evaluation, Judge};
+pub use planning::{PlannerCost, Planning, Validation};
 pub use report::Report;
 pub use score::{Mark, Score, Scores, Ties, Verdict};
 pub use seed::{CLEANUP_LEXICON, DEMONSTRATION_LEXICON, seed_model};

@@ -3,11 +3,12 @@
 
 use super::genlex::{Candidate, Generated, Scope, generate};
 use super::perceptron::{Judged, update};
+use super::planning::{PlannerCost, Planning, Validation};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
 use crate::ccg::{Atom, Category, Derivation, EntryId, Grammar, MAX_WORDS, Model, Origin, words};
 use crate::corpus::Example;
-use crate::ground::{PairId, Validator};
+use crate::ground::PairId;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 
@@ -32,6 +33,8 @@ pub struct Config {
     pub lexical_budget: usize,
     /// Epochs, from the first, in which entries are generated for sentences that the lexicon cannot explain.
     pub generations: u32,
+    /// The planner that the paper's Table III compares against; `None` learns as the paper does.
+    pub planning: Option<Planning>,
 }
 
 impl Default for Config {
@@ -46,6 +49,7 @@ impl Default for Config {
             budget: ChartConfig::default().budget,
             lexical_budget: 60_000,
             generations: 2,
+            planning: None,
         }
     }
 }
@@ -127,7 +131,7 @@ pub struct Trainer {
     model: Model,
     config: Config,
     items: Vec<Item>,
-    validator: Validator,
+    validator: Validation,
     order: Vec<u32>,
     epoch: u32,
     next: usize,
@@ -143,7 +147,10 @@ impl Trainer {
         }
         model.facts.insert("examples".to_owned(), examples.len().to_string());
         model.facts.insert("corpus".to_owned(), fingerprint(examples));
-        let mut validator = Validator::new();
+        if let Some(Planning { horizon, .. }) = config.planning {
+            model.facts.insert("horizon".to_owned(), horizon.to_string());
+        }
+        let mut validator = Validation::new(config.planning);
         let items = examples
             .iter()
             .map(|example| {
@@ -237,6 +244,11 @@ impl Trainer {
     /// The settings of the run.
     pub fn config(&self) -> &Config {
         &self.config
+    }
+
+    /// What planning cost so far; `None` when nothing plans.
+    pub fn planner_cost(&self) -> Option<PlannerCost> {
+        self.validator.cost()
     }
 
     /// Whether all epochs are done.

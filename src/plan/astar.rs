@@ -29,7 +29,7 @@ impl Default for Budget {
 pub enum Outcome<S, A> {
     /// A shortest plan.
     Plan(Solution<S, A>),
-    /// There is no plan: everything within reach was looked at.
+    /// There is no plan (of the length allowed): everything within reach was looked at.
     Unreachable,
     /// The budget ran out first.
     Budget,
@@ -51,6 +51,8 @@ pub struct Solution<S, A> {
 pub struct AStar<P: Mdp> {
     problem: P,
     budget: Budget,
+    /// Plans that need more actions are not looked for.
+    most_actions: u32,
     nodes: Nodes<P::State>,
     index: HashTable<u32>,
     open: Open,
@@ -104,6 +106,12 @@ impl<P: Mdp> AStar<P> {
     /// A search that has done nothing yet.
     #[must_use]
     pub fn new(problem: P, budget: Budget) -> Self {
+        Self::within(problem, budget, u32::MAX)
+    }
+
+    /// A search for a plan of at most so many actions; when there is none, it ends as [`Outcome::Unreachable`].
+    #[must_use]
+    pub fn within(problem: P, budget: Budget, most_actions: u32) -> Self {
         let nodes = Nodes {
             state: Vec::new(),
             cost: Vec::new(),
@@ -114,6 +122,7 @@ impl<P: Mdp> AStar<P> {
         let mut search = Self {
             problem,
             budget,
+            most_actions,
             nodes,
             index: HashTable::new(),
             open: Open::default(),
@@ -202,7 +211,7 @@ impl<P: Mdp> AStar<P> {
                 nodes.cost[i] = cost;
                 nodes.parent[i] = parent;
                 nodes.action[i] = action;
-                self.open.push(cost + bound, node, cost);
+                self.open(node, cost, bound);
             }
             return;
         }
@@ -215,6 +224,13 @@ impl<P: Mdp> AStar<P> {
         nodes.action.push(action);
         self.index.insert_unique(key, node, |&n| hash(&nodes.state[n as usize]));
         if let Some(bound) = bound {
+            self.open(node, cost, bound);
+        }
+    }
+
+    /// Puts a node among the open ones, unless every plan through it is too long.
+    fn open(&mut self, node: u32, cost: u32, bound: u32) {
+        if cost + bound <= self.most_actions {
             self.open.push(cost + bound, node, cost);
         }
     }

@@ -15,8 +15,8 @@ use std::time::Instant as Cpu;
 
 /// What a run found, and what it took.
 pub(crate) struct Finished {
-    /// What the run is called.
-    pub(crate) name: String,
+    /// What was run.
+    pub(crate) run: Run,
     /// What it found.
     pub(crate) outcome: Outcome,
     /// Training.
@@ -60,7 +60,7 @@ pub(crate) fn run_all(runs: &[Run], seed: &Model, jobs: usize) -> Vec<Finished> 
         loop {
             let at = next.fetch_add(1, Ordering::Relaxed);
             let Some(run) = runs.get(at) else { return finished };
-            finished.extend(run_one(run, seed.clone()).map(|done| (at, done)));
+            finished.extend(run_one(run, seed.clone()).map(|(done, _)| (at, done)));
         }
     };
     let mut finished = thread::scope(|scope| {
@@ -75,7 +75,8 @@ pub(crate) fn run_all(runs: &[Run], seed: &Model, jobs: usize) -> Vec<Finished> 
     finished.into_iter().map(|(_, finished)| finished).collect()
 }
 
-fn run_one(run: &Run, seed: Model) -> Option<Finished> {
+/// One run; what it found, and the model.
+pub(crate) fn run_one(run: &Run, seed: Model) -> Option<(Finished, Model)> {
     let name = &run.name;
     let say = |text: String| {
         // Standard error may be gone; the work goes on.
@@ -99,7 +100,7 @@ fn run_one(run: &Run, seed: Model) -> Option<Finished> {
                      {entries} entries, {seconds:.1} s"
                 ));
             }
-            Some(Event::Ended(outcome)) => {
+            Some(Event::Ended { outcome, model }) => {
                 let (all, learning) = (clocks.read(), learning.unwrap_or_default());
                 let judging =
                     Seconds { wall: all.wall - learning.wall, cpu: all.cpu - learning.cpu };
@@ -109,7 +110,8 @@ fn run_one(run: &Run, seed: Model) -> Option<Finished> {
                     scores.plain.f1(scores.total),
                     scores.total
                 ));
-                return Some(Finished { name: name.clone(), outcome: *outcome, learning, judging });
+                let (run, outcome) = (run.clone(), *outcome);
+                return Some((Finished { run, outcome, learning, judging }, *model));
             }
             _ => {}
         }

@@ -44,17 +44,15 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     let finished = run_all(&runs, &common.seed(CLEANUP_LEXICON)?, common.jobs);
     let mut all = Report::default();
     finished.iter().for_each(|run| all.add(run.outcome.report.clone()));
-    let lines: Vec<table::Line> =
-        finished.into_iter().map(|run| table::Line { run, paper: None }).collect();
     let by = By::ALL.iter().find(|(_, kind)| *kind == by).map_or("", |(name, _)| name);
     Ok(if common.json {
         json!({
             "experiment": "cross", "by": by, "folds": n_folds,
-            "runs": table::json(&lines), "all": report_json(&all),
+            "runs": table::json(&finished), "all": report_json(&all),
         })
         .to_string()
     } else {
-        format!("{}\n\nall folds: {}", table::text(&lines), report_text(&all))
+        format!("{}\n\nall folds: {}", table::text(&finished), report_text(&all))
     })
 }
 
