@@ -1,6 +1,9 @@
 //! Plans are shortest: against the conformance file, and on random worlds against a breadth-first search
 //! that has its own, plain idea of how the world moves.
 
+#[path = "planning/horizon.rs"]
+mod horizon;
+
 use groundling::domain::{
     Action, Cell, Direction, Lock, Plan, Rules, State, cell_at, generate, text,
 };

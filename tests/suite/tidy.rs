@@ -154,6 +154,16 @@ fn the_core_is_pure() {
 }
 
 #[test]
+fn learning_never_plans() {
+    let rule = rules::learning_never_plans;
+    let reads = "use super::planning::Validation;";
+    tells_apart(rule, "src/learn/a.rs", "use crate::plan::Budget;", reads);
+    tells_apart(rule, "src/learn/a.rs", "fn f() { AStar::new(); }", reads);
+    assert!(rule(&File::new("src/learn/planning.rs", "use crate::plan::AStar;")).is_empty());
+    holds(rule);
+}
+
+#[test]
 fn names_come_in_one_by_one() {
     tells_apart(rules::no_globs, "src/a.rs", "use super::*;", "let a = b * c; // ::*");
     holds(rules::no_globs);

@@ -169,6 +169,17 @@ pub(super) fn core_is_pure(file: &File) -> Vec<String> {
     complaints
 }
 
+/// Says so when learning reaches for a planner, but in the baseline that is there to be compared against
+/// (invariant 5).
+pub(super) fn learning_never_plans(file: &File) -> Vec<String> {
+    if !file.path.starts_with("src/learn/") || file.path == "src/learn/planning.rs" {
+        return Vec::new();
+    }
+    let plans = |(_, line): &(usize, &str)| line.contains("plan::") || has_word(line, "AStar");
+    let complaint = |(number, _)| format!("line {number}: a planner in learning");
+    file.code_lines().filter(plans).map(complaint).collect()
+}
+
 /// Says so when names come in by the handful.
 pub(super) fn no_globs(file: &File) -> Vec<String> {
     if file.ending() != "rs" {
