@@ -9,6 +9,7 @@ use super::score::Scores;
 use super::trainer::{Config, Epoch, Progress, Trainer};
 use crate::ccg::{ChartConfig, Model, words};
 use crate::corpus::{Example, Fold, folds};
+use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -213,7 +214,8 @@ impl Experiment {
 }
 
 /// What stays together in cross-validation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum By {
     /// Commands that are the same when their words are.
     Command,

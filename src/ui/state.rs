@@ -303,6 +303,8 @@ fn heard(state: &mut State, envelope: Envelope<Event>, effects: &mut Vec<Effect>
                 state.progress = Some(progress);
             }
         }
+        // Nothing on the page shows experiments yet.
+        Event::Experimenting(_) => {}
         end => {
             if let Some(request) = state.engine.finish(id, effects) {
                 finished(state, request, end, effects);
@@ -377,7 +379,7 @@ fn refused(state: &mut State, request: Request, message: String) {
         }
         Request::Train { .. } | Request::OpenModel { .. } => state.model_notice = Some(message),
         Request::Ask { .. } => state.ask_notice = Some(message),
-        Request::ShowRow { .. } | Request::Ping | Request::Cancel => {}
+        Request::ShowRow { .. } | Request::Experiment { .. } | Request::Ping | Request::Cancel => {}
     }
 }
 

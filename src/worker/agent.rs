@@ -86,7 +86,8 @@ impl Agent {
         let mut engine = self.engine.borrow_mut();
         while engine.busy() {
             if let Some((id, event)) = engine.step()
-                && (!matches!(event, Event::Progress(_)) || self.may_report())
+                && (!matches!(event, Event::Progress(_) | Event::Experimenting(_))
+                    || self.may_report())
             {
                 post(&self.scope, id, event);
             }

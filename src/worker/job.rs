@@ -2,18 +2,19 @@
 //! owns the engine: the page's worker, tests and benches alike; a step does a bounded amount of work.
 
 use super::ask::Asking;
+use super::experiment::Experimenting;
 use super::protocol::{
     CorpusReport, Event, PairText, Problem, Progress, Request, RowSummary, TrainReport,
     TrainSettings,
 };
 use crate::ccg::Model;
 use crate::corpus::{Corpus, Flaw, Form, Options, Rows};
-use crate::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
+use crate::learn::{self, Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
 use std::collections::VecDeque;
 use std::io::Cursor;
 
 /// Rows that a step reads.
-const ROWS_A_STEP: usize = 4;
+pub(super) const ROWS_A_STEP: usize = 4;
 
 /// Work in parts. Every [`Engine::step`] does a bounded part; the job is over when it returns a last event.
 enum Job {
@@ -25,6 +26,8 @@ enum Job {
     Train(Box<Trainer>),
     /// A command is answered.
     Ask(Box<Asking>),
+    /// An experiment is run.
+    Experiment(Box<Experimenting>),
 }
 
 /// What the engine knows and what it is at.
@@ -58,6 +61,15 @@ impl Engine {
                 Some(_) => Job::Ask(Box::new(Asking::new(command, state, pull))),
                 None => refuse("There is no model yet: train one, or open a model file."),
             },
+            Request::Experiment { experiment, settings } => {
+                let config = self.config(&settings);
+                let begun =
+                    config.and_then(|c| Experimenting::new(experiment, &self.corpus.examples, c));
+                match begun {
+                    Ok(work) => Job::Experiment(Box::new(work)),
+                    Err(message) => refuse(&message),
+                }
+            }
             Request::Cancel | Request::Ping => return,
         };
         self.work = Some((id, job));
@@ -93,7 +105,10 @@ impl Engine {
                 (None, Some(Job::Read { name, rows, corpus, flaws }))
             }
             Job::Train(mut trainer) => {
-                let said = trainer.step().map(|p| Event::Progress(progress(&trainer, p)));
+                let said = trainer.step().map(|done| {
+                    let (epochs, examples) = (trainer.config().epochs, trainer.n_examples());
+                    Event::Progress(progress(done, epochs, examples))
+                });
                 if trainer.is_done() && said.is_none() {
                     return (Some(self.keep_model(*trainer)), None);
                 }
@@ -107,6 +122,11 @@ impl Engine {
                 },
                 None => (Some(Event::Cancelled), None),
             },
+            Job::Experiment(mut work) => {
+                let said = work.step();
+                let over = work.is_over();
+                (said, (!over).then_some(Job::Experiment(work)))
+            }
         }
     }
 
@@ -140,8 +160,20 @@ impl Engine {
     }
 
     fn train(&self, settings: &TrainSettings) -> Job {
+        let config = match self.config(settings) {
+            Ok(config) => config,
+            Err(message) => return refuse(&message),
+        };
+        match seed_model(DEMONSTRATION_LEXICON) {
+            Ok(seed) => Job::Train(Box::new(Trainer::new(seed, &self.corpus.examples, config))),
+            Err(error) => refuse(&format!("The seed lexicon cannot be read: {error}.")),
+        }
+    }
+
+    /// The settings of a run on the corpus that is kept, or why there can be none.
+    fn config(&self, settings: &TrainSettings) -> Result<Config, String> {
         if self.corpus.examples.is_empty() {
-            return refuse("There is nothing to learn from: load a corpus first.");
+            return Err("There is nothing to learn from: load a corpus first.".to_owned());
         }
         let limits = [
             ("epochs", settings.epochs, 1..=1_000),
@@ -152,21 +184,17 @@ impl Engine {
         for (name, value, range) in limits {
             if !range.contains(&value) {
                 let (least, most) = range.into_inner();
-                return refuse(&format!("The {name} must be between {least} and {most}."));
+                return Err(format!("The {name} must be between {least} and {most}."));
             }
         }
-        let config = Config {
+        Ok(Config {
             epochs: settings.epochs,
             beam: settings.beam,
             lexical_beam: settings.lexical_beam,
             demonstrations: settings.demonstrations,
             seed: settings.seed,
             ..Config::default()
-        };
-        match seed_model(DEMONSTRATION_LEXICON) {
-            Ok(seed) => Job::Train(Box::new(Trainer::new(seed, &self.corpus.examples, config))),
-            Err(error) => refuse(&format!("The seed lexicon cannot be read: {error}.")),
-        }
+        })
     }
 
     fn keep_model(&mut self, trainer: Trainer) -> Event {
@@ -219,16 +247,17 @@ fn train_report(model: &Model, text: String) -> TrainReport {
     }
 }
 
-fn problem(flaw: Flaw) -> Problem {
+pub(super) fn problem(flaw: Flaw) -> Problem {
     Problem { line: flaw.line, column: flaw.column, message: flaw.message, kept: flaw.kept }
 }
 
-fn progress(trainer: &Trainer, progress: crate::learn::Progress) -> Progress {
+/// How far a training run of so many epochs and examples is.
+pub(super) fn progress(progress: learn::Progress, epochs: u32, examples: usize) -> Progress {
     Progress {
         epoch: progress.epoch,
-        epochs: trainer.config().epochs,
+        epochs,
         example: progress.example,
-        examples: trainer.n_examples(),
+        examples,
         valid: progress.so_far.valid,
         updates: progress.so_far.updates,
         entries: progress.so_far.entries,

@@ -2,6 +2,7 @@
 
 pub mod protocol;
 mod ask;
+mod experiment;
 pub mod job;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;

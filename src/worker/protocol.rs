@@ -3,10 +3,11 @@
 //! kind's name, or `{kind: content}`: a tag inside the content would cost both programs a tenth of their size.
 
 use crate::domain::State;
+use crate::learn::experiment::By;
 use serde::{Deserialize, Serialize};
 
 /// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -54,6 +55,14 @@ pub enum Request {
         /// Whether the robot may pull.
         pull: bool,
     },
+    /// Runs an experiment on the corpus that is kept → [`Event::Experimenting`] after every example, then
+    /// [`Event::Experimented`]. Corpus and model stay as they are.
+    Experiment {
+        /// Which.
+        experiment: Experiment,
+        /// What differs from the paper's settings in every run.
+        settings: TrainSettings,
+    },
     /// Stops what is at work → [`Event::Cancelled`] for that request's id.
     Cancel,
     /// Asks whether the engine still answers → [`Event::Pong`]; replaces nothing.
@@ -73,6 +82,49 @@ pub struct TrainSettings {
     pub demonstrations: Option<u32>,
     /// The seed of the order of examples.
     pub seed: u32,
+}
+
+/// An experiment on the corpus that is kept.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Experiment {
+    /// The rows of the paper's Table II for one set: learning from 3, 2 and 1 demonstrations a command.
+    Table2 {
+        /// What the set is called; the paper's are `raw` and `pruned`.
+        set: String,
+        /// What is judged on.
+        test: CorpusText,
+    },
+    /// The paper's Table III: learning without a planner and with one of horizon 1, 10 and 20.
+    Table3 {
+        /// What is judged on.
+        test: CorpusText,
+        /// States that a run's planner may expand.
+        budget: u64,
+    },
+    /// Section VII: learns, then answers a command that was never heard.
+    Demonstration {
+        /// The command.
+        command: String,
+        /// The state of the world it is said in.
+        state: State,
+    },
+    /// Cross-validation.
+    Cross {
+        /// Parts of the corpus.
+        folds: u32,
+        /// What stays together.
+        by: By,
+    },
+}
+
+/// A corpus file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct CorpusText {
+    /// Its name; the ending chooses the form.
+    pub name: String,
+    /// Its text.
+    pub text: String,
 }
 
 /// What the engine says to the page.
@@ -103,6 +155,10 @@ pub enum Event {
     Trained(TrainReport),
     /// A command was answered.
     Answer(Box<Answer>),
+    /// An experiment has gone on by one example.
+    Experimenting(ExperimentProgress),
+    /// An experiment is over.
+    Experimented(Box<ExperimentReport>),
     /// The request failed; what was loaded before is as it was.
     Refused {
         /// What is wrong, where, and what to do: for a person.
@@ -235,4 +291,124 @@ pub struct PlanText {
     pub expanded: usize,
     /// Why there is no plan, in the command line's words (`no_referent`, `unreachable`, `budget`).
     pub reason: Option<String>,
+}
+
+/// How far an experiment is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ExperimentProgress {
+    /// The run at work, from 0.
+    pub run: usize,
+    /// Runs in all.
+    pub runs: usize,
+    /// What the run is called.
+    pub name: String,
+    /// What it is doing.
+    pub part: RunPart,
+}
+
+/// What a run is doing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RunPart {
+    /// It learns.
+    Learning(Progress),
+    /// It is judged.
+    Judging {
+        /// Commands judged.
+        judged: usize,
+        /// Commands in all.
+        commands: usize,
+    },
+}
+
+/// What an experiment found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ExperimentReport {
+    /// A row a run, in order.
+    pub runs: Vec<RunReport>,
+    /// All runs together, where their test halves part one corpus.
+    pub all: Option<Judgement>,
+    /// What the command that was never heard was answered.
+    pub answer: Option<Answer>,
+    /// What is wrong or odd with the test file.
+    pub problems: Vec<Problem>,
+}
+
+/// What a run found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RunReport {
+    /// What the run is called.
+    pub name: String,
+    /// Commands learned from.
+    pub examples: usize,
+    /// Those with a valid parse in the last epoch.
+    pub valid: usize,
+    /// Lexical entries.
+    pub entries: usize,
+    /// The F1 that the paper reports for this, where it does.
+    pub paper_f1: Option<f64>,
+    /// What planning cost, in a run that plans.
+    pub planner: Option<PlannerReport>,
+    /// How it was judged.
+    pub judgement: Judgement,
+}
+
+/// What planning cost.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PlannerReport {
+    /// Calls of the planner.
+    pub calls: u64,
+    /// Calls that the memo saved.
+    pub saved: u64,
+    /// States expanded in all calls.
+    pub expanded: u64,
+    /// Calls that ran out of a budget.
+    pub given_up: u64,
+}
+
+/// How commands were answered.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Judgement {
+    /// Commands.
+    pub total: usize,
+    /// Without skipping words.
+    pub plain: Figures,
+    /// With the parse that skips words counted.
+    pub skipping: Figures,
+    /// F1 with skipping, and with ties broken by which form refers.
+    pub resolved_f1: f64,
+    /// By task, with skipping.
+    pub tasks: Vec<TaskFigures>,
+    /// What wrong answers did instead.
+    pub confusion: Vec<Confused>,
+}
+
+/// Counts, and precision, recall and F1, each with the ends of its 95 % interval.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[expect(missing_docs, reason = "the names say it")]
+pub struct Figures {
+    pub answered: usize,
+    pub correct: usize,
+    pub precision: [f64; 3],
+    pub recall: [f64; 3],
+    pub f1: [f64; 3],
+}
+
+/// The figures of one task; without a name those of commands without a label.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[expect(missing_docs, reason = "the names say it")]
+pub struct TaskFigures {
+    pub task: Option<String>,
+    pub total: usize,
+    pub answered: usize,
+    pub correct: usize,
+}
+
+/// How many wrong answers to commands of a task did another; without a name, none.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[expect(missing_docs, reason = "the names say it")]
+pub struct Confused {
+    pub task: Option<String>,
+    pub does: Option<String>,
+    pub count: usize,
 }

@@ -1,9 +1,11 @@
 //! Messages between page and engine: each kind comes back from JSON as it went in, under its own name.
 
 use super::{corpus, settings, six};
+use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
-    Answer, CorpusReport, Envelope, Event, PairText, PlanText, Problem, Progress, Reading, Request,
-    RowSummary, TrainReport, VERSION,
+    Answer, Confused, CorpusReport, CorpusText, Envelope, Event, Experiment, ExperimentProgress,
+    ExperimentReport, Figures, Judgement, PairText, PlanText, PlannerReport, Problem, Progress,
+    Reading, Request, RowSummary, RunPart, RunReport, TaskFigures, TrainReport, VERSION,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -26,7 +28,7 @@ fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
         let body = &value["body"];
         let key = body.as_object().and_then(|object| object.keys().next()).map(String::as_str);
         assert_eq!(body.as_str().or(key), Some(kind), "{text}");
-        assert_eq!(value["groundling"], 1);
+        assert_eq!(value["groundling"], 2);
         assert_eq!(serde_json::from_str::<Envelope<T>>(&text).unwrap(), envelope, "{text}");
     }
 }
@@ -36,22 +38,29 @@ fn requests_come_back_from_json() {
     let state = six()[0].pairs[0].pre.clone();
     let mut some = settings(3);
     some.demonstrations = Some(2);
+    let test = CorpusText { name: "test.csv".to_owned(), text: "x\n".to_owned() };
+    let experiment = |experiment| Request::Experiment { experiment, settings: settings(2) };
     let messages = [
         corpus("a \"b\".csv", "x,\"y\"\r\n\u{fffd}🤖"),
         Request::ShowRow { row: 3 },
         Request::Train { settings: settings(15) },
         Request::Train { settings: some },
         Request::OpenModel { text: "groundling model 1\nend\n".to_owned() },
-        Request::Ask { command: "go".to_owned(), state, pull: true },
+        Request::Ask { command: "go".to_owned(), state: state.clone(), pull: true },
+        experiment(Experiment::Table2 { set: "raw".to_owned(), test: test.clone() }),
+        experiment(Experiment::Table3 { test, budget: 1 << 40 }),
+        experiment(Experiment::Demonstration { command: "go".to_owned(), state }),
+        experiment(Experiment::Cross { folds: 5, by: By::Task }),
         Request::Cancel,
         Request::Ping,
     ];
-    come_back(&messages, 7, |request| match request {
+    come_back(&messages, 8, |request| match request {
         Request::ReadCorpus { .. } => "read_corpus",
         Request::ShowRow { .. } => "show_row",
         Request::Train { .. } => "train",
         Request::OpenModel { .. } => "open_model",
         Request::Ask { .. } => "ask",
+        Request::Experiment { .. } => "experiment",
         Request::Cancel => "cancel",
         Request::Ping => "ping",
     });
@@ -97,6 +106,38 @@ fn events_come_back_from_json() {
         updates: 0,
         entries: 7,
     };
+    let name = "horizon 10".to_owned();
+    let part = RunPart::Learning(progress.clone());
+    let learning = ExperimentProgress { run: 1, runs: 4, name: name.clone(), part };
+    let part = RunPart::Judging { judged: 3, commands: 20 };
+    let judging = ExperimentProgress { part, ..learning.clone() };
+    let third = [1.0 / 3.0, 0.0, 1.0];
+    let figures = Figures { answered: 3, correct: 1, precision: third, recall: third, f1: third };
+    let (task, none) = (Some("room".to_owned()), None);
+    let judgement = Judgement {
+        total: 3,
+        plain: figures.clone(),
+        skipping: figures,
+        resolved_f1: 0.1,
+        tasks: vec![TaskFigures { task: task.clone(), total: 3, answered: 3, correct: 1 }],
+        confusion: vec![Confused { task, does: none, count: 2 }],
+    };
+    let planner = PlannerReport { calls: 9, saved: 8, expanded: 70, given_up: 1 };
+    let row = RunReport {
+        name,
+        examples: 50,
+        valid: 49,
+        entries: 120,
+        paper_f1: Some(0.667),
+        planner: Some(planner),
+        judgement: judgement.clone(),
+    };
+    let found = ExperimentReport {
+        runs: vec![row],
+        all: Some(judgement),
+        answer: Some(without.clone()),
+        problems: report.problems.clone(),
+    };
     let model = "groundling model 1\nend\n".to_owned();
     let messages = [
         Event::Ready,
@@ -104,20 +145,25 @@ fn events_come_back_from_json() {
         Event::Crashed { message: "at line 1".to_owned() },
         Event::Corpus(report),
         Event::Row { row: 0, pairs: vec![PairText { pre: pair.pre, post: pair.post }] },
-        Event::Progress(progress),
+        Event::Progress(progress.clone()),
+        Event::Experimenting(learning),
+        Event::Experimenting(judging),
+        Event::Experimented(Box::new(found)),
         Event::Trained(TrainReport { model, examples: 6, valid: 6, entries: 9 }),
         Event::Answer(Box::new(answer)),
         Event::Answer(Box::new(without)),
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
     ];
-    come_back(&messages, 10, |event| match event {
+    come_back(&messages, 12, |event| match event {
         Event::Ready => "ready",
         Event::Pong => "pong",
         Event::Crashed { .. } => "crashed",
         Event::Corpus(_) => "corpus",
         Event::Row { .. } => "row",
         Event::Progress(_) => "progress",
+        Event::Experimenting(_) => "experimenting",
+        Event::Experimented(_) => "experimented",
         Event::Trained(_) => "trained",
         Event::Answer(_) => "answer",
         Event::Refused { .. } => "refused",
