@@ -5,8 +5,13 @@ use std::process::{Command, Output, Stdio};
 
 /// What the command answers to the input.
 pub(crate) fn run(name: &str, input: &str) -> Output {
+    call(&[name], input)
+}
+
+/// What the command answers to arguments and input.
+pub(crate) fn call(arguments: &[&str], input: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_groundling"));
-    command.arg(name).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     let mut stdin = child.stdin.take().unwrap();
     let input = input.to_owned();

@@ -1,5 +1,10 @@
 //! Experiments: folds, scores by task, intervals, and the command that runs them.
 
+#[path = "experiment/command.rs"]
+mod command;
+#[path = "experiment/confusion.rs"]
+mod confusion;
+
 use groundling::corpus::folds;
 use groundling::learn::{Mark, Report, Scores, Ties, Verdict};
 use std::collections::BTreeSet;
