@@ -16,7 +16,9 @@ pub(crate) const COMMAND: Command = Command {
     details: "  --model MODEL       a model file\n\
               \x20 --corpus FILE       batch-results CSV or JSON lines (.jsonl)\n\
               \x20 --with-rejected     use rejected rows too\n\
-              \x20 --json              print one JSON object",
+              \x20 --json              print one JSON object: total, answered, correct, precision, recall, f1;\n\
+              \x20                     the same after skipping_ (words skipped) and resolved_ (ties broken by\n\
+              \x20                     which form refers); intervals (95 %), tasks, confusion, seconds",
     run,
 };
 

@@ -41,7 +41,7 @@ pub(crate) const COMMAND: Command = Command {
               \x20   --seed N                order of the examples, and of the folds (0)\n\
               \x20   --lexicon FILE          the seed lexicon (the whole domain's; demonstration: its own)\n\
               \x20   --with-rejected         use rejected rows too\n\
-              \x20   --jobs N                runs at a time (as many as there are processors)\n\
+              \x20   --jobs N                runs at a time (as many as there are processors; table3: 1)\n\
               \x20   --json                  print one JSON object",
     run,
 };

@@ -11,7 +11,9 @@ use serde_json::json;
 
 pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     let mut given = Given(arguments);
+    // One run at a time, unless asked: side by side they would share what the clock on the wall measures.
     let mut common = Common::new();
+    common.jobs = 1;
     let (mut train, mut test) = (Vec::new(), Vec::new());
     let mut budget = Planning::default().budget;
     let mut memos = vec![true];
