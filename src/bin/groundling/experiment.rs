@@ -21,7 +21,7 @@ pub(crate) const COMMAND: Command = Command {
     about: "Repeat an experiment: learn, judge, and hold the figures beside the paper's",
     usage: "NAME [OPTIONS]",
     details: "  table2         the paper's Table II: F1 by training set and by 3, 2 or 1 demonstrations\n\
-              \x20   --set NAME=TRAIN,TEST   a set; again for more (the paper's: raw, pruned)\n\
+              \x20   --set NAME=TRAIN,TEST…  sets (the paper's: raw, pruned)\n\
               \x20 table3         the paper's Table III: learning with a planner of horizon 1, 10, 20, and without\n\
               \x20   --train FILE --test FILE\n\
               \x20   --budget STATES         the most that a run's planner may expand (2,000,000,000)\n\

@@ -40,7 +40,7 @@ fn table_2_has_a_row_for_each_set_and_number_of_demonstrations() {
     let pruned = format!("pruned={LEARN},{JUDGE}");
     let own = format!("six={SIX},{SIX}");
     let table = |jobs| {
-        let sets = ["experiment", "table2", "--set", &pruned, "--set", &own];
+        let sets = ["experiment", "table2", "--set", &pruned, &own];
         json(&[&sets[..], &["--epochs", "2", "--jobs", jobs]].concat())
     };
     let report = timeless(table("1"));

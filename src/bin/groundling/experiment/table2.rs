@@ -15,7 +15,11 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     let mut sets = Vec::new();
     while let Some(name) = given.next()? {
         match name.as_str() {
-            "set" => sets.push(set(&given.value::<String>()?)?),
+            "set" => {
+                for text in given.values::<String>()? {
+                    sets.push(set(&text)?);
+                }
+            }
             "demonstrations" => {
                 let why = "--demonstrations: the table has 3, 2 and 1 of its own";
                 return Err(Failure::Usage(why.into()));
