@@ -49,8 +49,8 @@ pub struct Lexical {
     pub start: usize,
     /// One past the last word.
     pub end: usize,
-    /// The words of the span that are skipped.
-    pub skipped: usize,
+    /// The words that have the category, first and one past the last: those around them are absorbed.
+    pub own: (usize, usize),
     /// The category.
     pub category: Category,
     /// Its score.
@@ -124,7 +124,8 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// Fills a chart over `words` words with what can be part of a sentence. Edges that `admit` refuses are left out.
+    /// Fills a chart over `words` words with what can be part of a sentence. Edges whose sorts do not fit, and those
+    /// that `admit` refuses, are left out.
     pub fn fill(
         grammar: &mut Grammar,
         words: usize,
@@ -337,7 +338,7 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
         self.cell.known.clear();
         for child in first..self.chart.edges.len() as u32 {
             let edge = *self.chart.edge(child);
-            for (rule, category) in self.grammar.shifts(edge.category) {
+            for (rule, category) in self.grammar.shifted(edge.category) {
                 if !self.reach.is_useful(start, end, category.syntax) {
                     continue;
                 }
@@ -366,11 +367,11 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
 
 impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Cell<A> {
     /// Adds a derivation: a new edge, a better way to a known one, or another way, kept if there is a place for it.
-    fn add(&mut self, grammar: &Grammar, others: Option<&mut Vec<(Step, u32)>>, found: Found) {
+    fn add(&mut self, grammar: &mut Grammar, others: Option<&mut Vec<(Step, u32)>>, found: Found) {
         let Found { category, made, score, step, split } = found;
         let Cell { span, edges, known, admit } = self;
         let place = *known.entry((category, made)).or_insert_with(|| {
-            if !admit(grammar, *span, category) {
+            if !grammar.fits(category.meaning) || !admit(grammar, *span, category) {
                 return NONE;
             }
             edges.push(Edge { category, made, score, step, other: NONE, split });

@@ -1,12 +1,13 @@
-//! The combinatory rules as rows of two tables, and a cache from a pair of syntactic categories to the rows
-//! that combine it: rejecting a pair costs one look-up. Normal form after Eisner (1996).
+//! The combinatory rules as rows of a table, and a cache from a pair of syntactic categories to the rows that
+//! combine it: rejecting a pair costs one look-up. Normal form after Eisner (1996). Type shifts, which change one
+//! category into another, are data of the lexicon: what may be left unsaid depends on the domain.
 
 use super::category::Category;
 use super::syntax::{Atom, Direction, SyntaxId, Syntaxes};
-use crate::logic::{ConstantId, LogicError, TermId, Terms, ty};
+use crate::logic::{ConstantId, LogicError, Sorts, TermId, Terms, ty};
 use rustc_hash::FxHashMap;
 
-/// A row of [`RULES`], or after those of [`SHIFTS`].
+/// A row of [`RULES`], or after those a shift of the grammar's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct RuleId(pub u8);
 
@@ -22,13 +23,17 @@ pub struct Rule {
     made: Made,
 }
 
-/// A rule for one constituent.
+/// A rule for one constituent, such as `PP => N\N`.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shift {
     /// Its name in derivations and features.
-    pub name: &'static str,
-    from: Atom,
-    to: fn(&mut Syntaxes) -> SyntaxId,
-    meaning: fn(&mut Terms, TermId) -> Result<TermId, LogicError>,
+    pub name: Box<str>,
+    /// What it changes.
+    pub from: SyntaxId,
+    /// What comes out.
+    pub to: SyntaxId,
+    /// From the meaning before to the meaning after.
+    pub meaning: TermId,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -119,21 +124,6 @@ pub const RULES: &[Rule] = &[
     },
 ];
 
-/// The unary rules. The order is the order of ties.
-pub const SHIFTS: &[Shift] = &[
-    Shift {
-        name: "PP=>N\\N",
-        from: Atom::PP,
-        to: |all| {
-            let noun = all.atom(Atom::N);
-            all.slash(noun, Direction::Left, noun)
-        },
-        meaning: modifier,
-    },
-    // "go to blue room": telegraphic speech leaves the article out.
-    Shift { name: "N=>NP", from: Atom::N, to: |all| all.atom(Atom::NP), meaning: the_one },
-];
-
 /// `λy. g(y)(x)` for `x g`: `x` raised to `λf. f(x)` and composed with `g`.
 fn raised_composition(terms: &mut Terms, x: TermId, g: TermId) -> Result<TermId, LogicError> {
     let function = terms.ty(g);
@@ -155,24 +145,6 @@ fn conjoin_properties(terms: &mut Terms, f: TermId, g: TermId) -> Result<TermId,
     terms.lambda(ty::ENTITY, body)
 }
 
-/// `the(f)`
-fn the_one(terms: &mut Terms, f: TermId) -> Result<TermId, LogicError> {
-    let property = terms.types.function(ty::ENTITY, ty::TRUTH);
-    let determiner = terms.types.function(property, ty::ENTITY);
-    let the = terms.constant_term("the", determiner)?;
-    terms.apply(the, f)
-}
-
-/// `λf. λx. f(x) ∧ p(x)`
-fn modifier(terms: &mut Terms, p: TermId) -> Result<TermId, LogicError> {
-    let property = terms.types.function(ty::ENTITY, ty::TRUTH);
-    let (x, f) = (terms.variable(0, ty::ENTITY)?, terms.variable(1, property)?);
-    let both = [terms.apply(f, x)?, terms.apply(p, x)?];
-    let body = terms.conjoin(&both)?;
-    let inner = terms.lambda(ty::ENTITY, body)?;
-    terms.lambda(property, inner)
-}
-
 /// How many rows a pair of syntactic categories can match.
 type Rows = Vec<(RuleId, SyntaxId)>;
 
@@ -183,9 +155,13 @@ pub struct Grammar {
     pub terms: Terms,
     /// The syntactic categories.
     pub syntaxes: Syntaxes,
+    /// What can be true of what.
+    pub sorts: Sorts,
     /// Binary relations whose arguments may change places, such as `near`: two readings that differ in nothing
     /// else are one answer.
     pub commutative: Vec<ConstantId>,
+    /// The type shifts. The order is the order of ties.
+    pub shifts: Vec<Shift>,
     rows: FxHashMap<(SyntaxId, SyntaxId), Rows>,
 }
 
@@ -221,25 +197,42 @@ impl Grammar {
         (allow_vacuous || !vacuous).then_some(meaning)
     }
 
-    /// The syntactic categories that shifts make of another.
-    pub(super) fn shifted_syntaxes(&mut self, from: SyntaxId) -> Vec<SyntaxId> {
-        let fits = |shift: &&Shift| self.syntaxes.is(from, shift.from);
-        let shifts: Vec<&Shift> = SHIFTS.iter().filter(fits).collect();
-        shifts.iter().map(|shift| (shift.to)(&mut self.syntaxes)).collect()
+    /// Whether a meaning could be about something.
+    pub fn fits(&mut self, meaning: TermId) -> bool {
+        self.sorts.fit(&self.terms, meaning)
     }
 
-    /// The category that a shift makes of another, with the row.
-    pub fn shifts(&mut self, category: Category) -> Vec<(RuleId, Category)> {
-        let mut shifted = Vec::new();
-        for (row, shift) in (RULES.len() as u8..).zip(SHIFTS) {
-            if !self.syntaxes.is(category.syntax, shift.from) {
-                continue;
-            }
-            let Ok(meaning) = (shift.meaning)(&mut self.terms, category.meaning) else { continue };
-            let syntax = (shift.to)(&mut self.syntaxes);
-            shifted.push((RuleId(row), Category { syntax, meaning }));
+    /// The syntactic categories that shifts make of another.
+    pub(super) fn shifted_syntaxes(&self, from: SyntaxId) -> impl Iterator<Item = SyntaxId> {
+        self.shifts.iter().filter(move |shift| shift.from == from).map(|shift| shift.to)
+    }
+
+    /// What the shifts make of a category, with the rules.
+    pub fn shifted(&mut self, category: Category) -> Vec<(RuleId, Category)> {
+        let Grammar { shifts, terms, .. } = self;
+        let first = RULES.len() as u8;
+        let fitting = (first..).zip(shifts).filter(|(_, shift)| shift.from == category.syntax);
+        let shifted = fitting.filter_map(|(row, shift)| {
+            let meaning = terms.apply(shift.meaning, category.meaning).ok()?;
+            Some((RuleId(row), Category { syntax: shift.to, meaning }))
+        });
+        shifted.collect()
+    }
+
+    /// A rule's name.
+    pub fn rule_name(&self, rule: RuleId) -> &str {
+        let row = usize::from(rule.0);
+        match RULES.get(row) {
+            Some(rule) => rule.name,
+            None => self.shifts.get(row - RULES.len()).map_or("", |shift| &shift.name),
         }
-        shifted
+    }
+
+    /// The rule of that name.
+    pub fn rule_named(&self, name: &str) -> Option<RuleId> {
+        let rules = RULES.iter().map(|rule| rule.name);
+        let names = rules.chain(self.shifts.iter().map(|shift| &*shift.name));
+        (0..).zip(names).find(|(_, known)| *known == name).map(|(row, _)| RuleId(row))
     }
 
     /// `λx. x`, at any type.
@@ -253,21 +246,6 @@ impl Grammar {
 }
 
 impl RuleId {
-    /// The rule's name.
-    pub fn name(self) -> &'static str {
-        let row = usize::from(self.0);
-        match RULES.get(row) {
-            Some(rule) => rule.name,
-            None => SHIFTS.get(row - RULES.len()).map_or("", |shift| shift.name),
-        }
-    }
-
-    /// The rule of that name.
-    pub fn named(name: &str) -> Option<Self> {
-        let names = RULES.iter().map(|rule| rule.name).chain(SHIFTS.iter().map(|shift| shift.name));
-        (0..).zip(names).find(|(_, known)| *known == name).map(|(row, _)| RuleId(row))
-    }
-
     /// How what the rule makes is marked for the normal form.
     pub fn makes(self) -> Made {
         RULES.get(usize::from(self.0)).map_or(Made::ByShift, |rule| rule.made)

@@ -3,7 +3,7 @@
 
 use super::category::Category;
 use super::chart::{Chart, Step};
-use super::combinator::RuleId;
+use super::combinator::{Grammar, RuleId};
 use super::features::{Feature, root_features};
 use super::lexicon::EntryId;
 use super::model::Model;
@@ -18,8 +18,8 @@ pub enum Derivation {
         start: usize,
         /// One past the last word.
         end: usize,
-        /// How many of them are skipped.
-        skipped: usize,
+        /// The words of the entry, in the same way: those around them are absorbed.
+        own: (usize, usize),
         /// The entry.
         entry: EntryId,
         /// Its category.
@@ -48,7 +48,7 @@ impl Derivation {
                 Derivation::Leaf {
                     start: item.start,
                     end: item.end,
-                    skipped: item.skipped,
+                    own: item.own,
                     entry: entry_of(item.item),
                     category,
                 }
@@ -94,24 +94,36 @@ impl Derivation {
         }
     }
 
-    /// Every feature of the reading that the derivation ends in, as often as it occurs.
-    pub fn features(&self, model: &Model, form: TermId) -> Vec<Feature> {
-        let mut features = root_features(&model.grammar.terms, form);
+    /// The places of the words that its leaves absorb, from left to right.
+    pub fn absorbed(&self) -> Vec<usize> {
+        let around = |leaf: &Derivation| match *leaf {
+            Derivation::Leaf { start, end, own, .. } => (start..own.0).chain(own.1..end),
+            Derivation::Node { .. } => (0..0).chain(0..0),
+        };
+        self.leaves().into_iter().flat_map(around).collect()
+    }
+
+    /// Every feature of the reading that the derivation ends in, as often as it occurs. `empty` gives the entry by
+    /// which the word at a place means nothing; a word without one is skipped.
+    pub fn features(
+        &self,
+        model: &Model,
+        form: TermId,
+        words: &[String],
+        empty: &[Option<EntryId>],
+    ) -> Vec<Feature> {
+        let Grammar { terms, sorts, .. } = &model.grammar;
+        let mut features = root_features(terms, sorts, form);
+        for at in self.absorbed() {
+            features.extend(model.absorption_features(&words[at], empty[at]));
+        }
         self.collect_features(model, &mut features);
         features
     }
 
     fn collect_features(&self, model: &Model, found: &mut Vec<Feature>) {
         match self {
-            Derivation::Leaf { entry, skipped, .. } => {
-                let parts = model.lexicon.entry(*entry);
-                found.extend([
-                    Feature::Lexeme(parts.lexeme),
-                    Feature::Template(parts.template),
-                    Feature::Entry(*entry),
-                ]);
-                found.extend(std::iter::repeat_n(Feature::Skip, *skipped));
-            }
+            Derivation::Leaf { entry, .. } => found.extend(model.entry_features(*entry)),
             Derivation::Node { rule, children, .. } => {
                 children.iter().for_each(|child| child.collect_features(model, found));
                 found.push(Feature::Rule(*rule));
@@ -164,7 +176,7 @@ impl Derivation {
             Derivation::Node { rule, children, .. } => {
                 let below = children.iter().map(|child| child.draw(columns, words, model, rows));
                 let row = below.max().unwrap_or(0);
-                let name = rule.name();
+                let name = model.grammar.rule_name(*rule);
                 let dashes = (right - left).saturating_sub(name.chars().count());
                 place(rows, row, left, right, &format!("{}{name}", "-".repeat(dashes)));
                 place(rows, row + 1, left, right, syntax);

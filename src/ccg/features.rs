@@ -3,9 +3,8 @@
 
 use super::combinator::RuleId;
 use super::lexicon::{EntryId, LexemeId, TemplateId};
-use crate::logic::{ConstantId, Node, TermId, Terms};
+use crate::logic::{ConstantId, Node, Sorts, TermId, Terms, ty};
 use rustc_hash::FxHashMap;
-use std::cmp::Ordering;
 
 /// What a parse can be scored by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -20,9 +19,19 @@ pub enum Feature {
     Rule(RuleId),
     /// A word is skipped.
     Skip,
+    /// A word goes without meaning although the lexicon has constants for it.
+    Dropped,
     /// Two different predicates occur anywhere in the goal (Williams et al., Section IV-B-1: it tells `in` from
     /// `near` when the words do not). The first name is the smaller.
     Pair(ConstantId, ConstantId),
+    /// Two predicates are conjoined on one argument. The first name is the smaller.
+    Conjoined(ConstantId, ConstantId),
+    /// A phrase says nothing of what it stands for but this.
+    Alone(ConstantId),
+    /// A relation has an argument, counted from 0, with this head noun.
+    Head(ConstantId, u8, ConstantId),
+    /// A relation's two arguments have these head nouns.
+    Heads(ConstantId, ConstantId),
 }
 
 impl Feature {
@@ -30,8 +39,15 @@ impl Feature {
     pub fn scale(self) -> f64 {
         match self {
             Feature::Template(_) => 0.1,
+            // What goals are usually about says little of the next one: the words are to decide.
+            Feature::Pair(..) | Feature::Head(..) | Feature::Heads(..) => 0.2,
             Feature::Rule(_) => 0.5,
-            Feature::Lexeme(_) | Feature::Entry(_) | Feature::Skip | Feature::Pair(..) => 1.0,
+            Feature::Lexeme(_)
+            | Feature::Entry(_)
+            | Feature::Skip
+            | Feature::Dropped
+            | Feature::Conjoined(..)
+            | Feature::Alone(_) => 1.0,
         }
     }
 }
@@ -48,27 +64,6 @@ impl Vector {
     /// Features and their counts, in order, each once.
     pub fn iter(&self) -> impl Iterator<Item = (FeatureId, f64)> {
         self.0.iter().copied()
-    }
-
-    /// ‖self − other‖₁, summed in the features' order.
-    pub fn l1_distance(&self, other: &Vector) -> f64 {
-        let (mut a, mut b) = (self.0.as_slice(), other.0.as_slice());
-        let mut sum = 0.0;
-        loop {
-            match (a, b) {
-                ([], rest) | (rest, []) => {
-                    return rest.iter().fold(sum, |sum, (_, x)| sum + x.abs());
-                }
-                ([(i, x), a_rest @ ..], [(j, y), b_rest @ ..]) => {
-                    sum += match i.cmp(j) {
-                        Ordering::Less => x.abs(),
-                        Ordering::Equal => (x - y).abs(),
-                        Ordering::Greater => y.abs(),
-                    };
-                    (a, b) = (if i <= j { a_rest } else { a }, if j <= i { b_rest } else { b });
-                }
-            }
-        }
     }
 }
 
@@ -154,30 +149,101 @@ impl Features {
 }
 
 /// The features of a goal as a whole.
-pub fn root_features(terms: &Terms, form: TermId) -> Vec<Feature> {
-    let mut predicates = Vec::new();
-    predicates_of(terms, form, &mut predicates);
+pub fn root_features(terms: &Terms, sorts: &Sorts, form: TermId) -> Vec<Feature> {
+    let mut found = Occurring { terms, sorts, predicates: Vec::new(), features: Vec::new() };
+    found.collect(form);
+    let Occurring { mut predicates, mut features, .. } = found;
     predicates.sort_by(|&a, &b| terms.name(a).cmp(terms.name(b)));
     predicates.dedup();
-    let mut pairs = Vec::with_capacity(predicates.len() * predicates.len() / 2);
     for (place, &first) in predicates.iter().enumerate() {
-        pairs.extend(predicates[place + 1..].iter().map(|&second| Feature::Pair(first, second)));
+        features.extend(predicates[place + 1..].iter().map(|&second| Feature::Pair(first, second)));
     }
-    pairs
+    features
 }
 
-/// Every constant that is applied to entities; connectives, quantifiers and determiners are none.
-fn predicates_of(terms: &Terms, term: TermId, found: &mut Vec<ConstantId>) {
-    match terms.node(term) {
-        Node::Constant(_) | Node::Variable(_) => {}
-        Node::Lambda { body, .. } => predicates_of(terms, body, found),
-        Node::Apply { head, args } => {
-            if let Node::Constant(constant) = terms.node(head)
-                && args.iter().all(|&arg| terms.ty(arg) == crate::logic::ty::ENTITY)
-            {
-                found.push(constant);
+/// What a goal is seen to be made of.
+struct Occurring<'a> {
+    terms: &'a Terms,
+    sorts: &'a Sorts,
+    /// Every constant that is applied to entities; connectives, quantifiers and determiners are none.
+    predicates: Vec<ConstantId>,
+    features: Vec<Feature>,
+}
+
+impl Occurring<'_> {
+    fn collect(&mut self, term: TermId) {
+        match self.terms.node(term) {
+            Node::Constant(_) | Node::Variable(_) => {}
+            Node::Lambda { body, .. } => {
+                self.collect_conjoined(body);
+                self.collect(body);
             }
-            args.iter().for_each(|&arg| predicates_of(terms, arg, found));
+            Node::Apply { head, args } => {
+                if let Node::Constant(constant) = self.terms.node(head)
+                    && args.iter().all(|&arg| self.terms.ty(arg) == ty::ENTITY)
+                {
+                    self.predicates.push(constant);
+                    self.collect_heads(constant, args);
+                }
+                args.iter().for_each(|&arg| self.collect(arg));
+            }
         }
+    }
+
+    /// The pairs of predicates in a conjunction, each on what the conjunction is about.
+    fn collect_conjoined(&mut self, body: TermId) {
+        let mut predicates = self.conjuncts(body);
+        predicates.sort_by(|&a, &b| self.terms.name(a).cmp(self.terms.name(b)));
+        if let [only] = predicates[..] {
+            self.features.push(Feature::Alone(only));
+        }
+        for (place, &first) in predicates.iter().enumerate() {
+            let pairs = predicates[place + 1..].iter().map(|&b| Feature::Conjoined(first, b));
+            self.features.extend(pairs);
+        }
+    }
+
+    /// The predicates that are claimed of the innermost variable.
+    fn conjuncts(&self, body: TermId) -> Vec<ConstantId> {
+        let about = |term: &TermId| {
+            let Node::Apply { head, args } = self.terms.node(*term) else { return None };
+            let own = args.iter().any(|&arg| self.terms.node(arg) == Node::Variable(0));
+            match self.terms.node(head) {
+                Node::Constant(constant) if own => Some(constant),
+                _ => None,
+            }
+        };
+        match self.terms.node(body) {
+            Node::Apply { head, args } if self.is_and(head) => {
+                args.iter().filter_map(about).collect()
+            }
+            _ => about(&body).into_iter().collect(),
+        }
+    }
+
+    fn is_and(&self, head: TermId) -> bool {
+        matches!(self.terms.node(head), Node::Constant(c) if self.terms.name(c) == "and")
+    }
+
+    fn collect_heads(&mut self, relation: ConstantId, args: &[TermId]) {
+        if args.len() < 2 {
+            return;
+        }
+        let heads: Vec<Option<ConstantId>> = args.iter().map(|&arg| self.head(arg)).collect();
+        let places = (0..).zip(&heads);
+        let features =
+            places.filter_map(|(place, &head)| Some(Feature::Head(relation, place, head?)));
+        self.features.extend(features);
+        if let [Some(a), Some(b)] = heads[..] {
+            self.features.push(Feature::Heads(a, b));
+        }
+    }
+
+    /// The noun of a phrase.
+    fn head(&self, phrase: TermId) -> Option<ConstantId> {
+        let Node::Apply { args, .. } = self.terms.node(phrase) else { return None };
+        let Node::Lambda { body, .. } = self.terms.node(*args.first()?) else { return None };
+        let is_noun = |c: &ConstantId| self.sorts.is_noun(self.terms.name(*c));
+        self.conjuncts(body).into_iter().find(is_noun)
     }
 }

@@ -41,6 +41,32 @@ pub struct Template {
     pub holes: usize,
 }
 
+/// What a learned word may put into a hole, besides that the type must fit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hole {
+    /// Any constant.
+    Any,
+    /// What says what a thing is: a property of one sort of entity only.
+    Noun,
+    /// What says how a thing is: a property of several sorts.
+    Adjective,
+    /// This constant alone: the template speaks of it, whatever the word.
+    Only(ConstantId),
+}
+
+impl Hole {
+    /// The hole behind a constant of an open template's text: `?`, `?noun` and `?adjective`, with digits behind them
+    /// to tell holes apart, stand for what words put there; other constants for themselves.
+    pub fn of(name: &str, constant: ConstantId) -> Self {
+        match name.trim_end_matches(|c: char| c.is_ascii_digit()) {
+            "?" => Hole::Any,
+            "?noun" => Hole::Noun,
+            "?adjective" => Hole::Adjective,
+            _ => Hole::Only(constant),
+        }
+    }
+}
+
 /// A lexeme in a template whose holes its constants fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Entry {
@@ -78,6 +104,8 @@ pub struct Lexicon {
     longest: usize,
     /// The lexicon proper, in the order the entries came into it.
     admitted: Vec<EntryId>,
+    /// The templates that learned words may fill, with what may stand in their holes.
+    pub open: IndexMap<TemplateId, Box<[Hole]>, FxBuildHasher>,
     /// Constants that templates keep, besides connectives and determiners.
     pub frame: Vec<ConstantId>,
 }
@@ -142,6 +170,17 @@ impl Lexicon {
     /// Whether the word occurs in any entry of the lexicon proper.
     pub fn knows(&self, word: &str) -> bool {
         self.vocabulary.contains(word)
+    }
+
+    /// Whether an entry for the word alone has constants, and none of the seed says that it may mean nothing.
+    pub fn has_content(&self, word: &str) -> bool {
+        let entries = self.entries_for(&[Box::from(word)]);
+        let lexeme = |id: EntryId| self.lexeme(self.entry(id).lexeme);
+        let is_empty =
+            |id: EntryId| self.template(self.entry(id).template).syntax == SyntaxId::EMPTY;
+        let may_be_empty = |&id: &EntryId| is_empty(id) && self.origin(id) == Origin::Seed;
+        entries.iter().any(|&id| !lexeme(id).constants.is_empty())
+            && !entries.iter().any(may_be_empty)
     }
 
     /// Adds a template: a meaning abstracted over `holes` holes.

@@ -1,16 +1,21 @@
 //! The text form of a seed lexicon, which a person can read and change. A line is `words | words :- SYNTAX : meaning`;
-//! `*` in place of words gives a template alone, whose holes are constants with a name that begins with `?`;
-//! `frame` and `commutative` lines name constants; `#` begins a comment.
+//! `*` in place of words gives a template that learned words may fill: `?`, `?noun` and `?adjective` are its holes;
+//! `frame` and `commutative` lines name constants; `shift FROM=>TO : meaning` lines are type shifts; `#` begins a comment.
 
 use super::category::Category;
 use super::features::Feature;
-use super::lexicon::Origin;
+use super::lexicon::{Hole, Origin};
 use super::model::Model;
 use super::sentence::words;
-use crate::logic::{TermId, read};
+use crate::logic::{ConstantId, TermId, read};
 
-/// The weight of a seed lexeme.
-pub const SEED_LEXEME: f64 = 10.0;
+/// The weight of a seed lexeme, and of a seed entry for each of its words (see [`seed_weight`]). The reference has 10,
+/// for another update of the weights: what counts is how far one step goes against it.
+pub const SEED: f64 = 3.0;
+/// The weight of a word that is skipped.
+const SKIP: f64 = -1.0;
+/// The weight of a word that is dropped although it has a meaning: what is said is meant.
+const DROP: f64 = -3.0;
 
 /// What is wrong with a lexicon's text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -22,8 +27,8 @@ pub struct LexiconError {
     pub reason: String,
 }
 
-/// Reads a seed lexicon into a model, with the reference's seed weights: a lexeme 10, an entry
-/// 10 · words^1.1, a skipped word −1.
+/// Reads a seed lexicon into a model, with weights after the reference's: a lexeme 1, an entry words^1.1, each times
+/// [`SEED`]; a skipped word −1.
 ///
 /// # Errors
 /// With the line and what is wrong there.
@@ -34,7 +39,8 @@ pub fn read_lexicon(model: &mut Model, text: &str) -> Result<(), LexiconError> {
             read_line(model, content).map_err(|reason| LexiconError { line, reason })?;
         }
     }
-    model.features.set(Feature::Skip, -1.0);
+    model.features.set(Feature::Skip, SKIP);
+    model.features.set(Feature::Dropped, DROP);
     Ok(())
 }
 
@@ -49,6 +55,11 @@ fn read_line(model: &mut Model, line: &str) -> Result<(), String> {
         model.grammar.commutative.push(constant);
         return Ok(());
     }
+    if let Some(shift) = line.strip_prefix("shift ") {
+        let (name, meaning) =
+            shift.split_once(" : ").ok_or("between a shift's name and meaning stands a colon")?;
+        return model.read_shift(name.trim(), meaning.trim());
+    }
     let (phrase, category) =
         line.split_once(":-").ok_or("a line is words :- CATEGORY : meaning")?;
     let (syntax, meaning) =
@@ -62,7 +73,10 @@ fn read_line(model: &mut Model, line: &str) -> Result<(), String> {
         let factored =
             super::factor::factor(&mut model.grammar.terms, meaning, &model.lexicon.frame)
                 .map_err(|e| e.to_string())?;
-        model.lexicon.add_template(syntax, factored.template, factored.constants.len());
+        let hole = |&c: &ConstantId| Hole::of(model.grammar.terms.name(c), c);
+        let holes: Box<[Hole]> = factored.constants.iter().map(hole).collect();
+        let template = model.lexicon.add_template(syntax, factored.template, holes.len());
+        model.lexicon.open.insert(template, holes);
         return Ok(());
     }
     phrase.split('|').try_for_each(|phrase| add_entry(model, phrase, category))
@@ -78,14 +92,15 @@ fn add_entry(model: &mut Model, phrase: &str, category: Category) -> Result<(), 
         .lexicon
         .add_category(&mut model.grammar, words, category, Origin::Seed)
         .map_err(|e| e.to_string())?;
-    model.features.set(Feature::Lexeme(model.lexicon.entry(entry).lexeme), SEED_LEXEME);
+    let lexeme = model.lexicon.entry(entry).lexeme;
+    model.features.set(Feature::Lexeme(lexeme), SEED);
     model.features.set(Feature::Entry(entry), weight);
     Ok(())
 }
 
 /// The weight of a seed entry of so many words.
 pub fn seed_weight(n_words: usize) -> f64 {
-    10.0 * libm::pow(n_words as f64, 1.1)
+    SEED * libm::pow(n_words as f64, 1.1)
 }
 
 /// Every constant must be in the signature with its type, or be a hole.

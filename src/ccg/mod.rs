@@ -12,15 +12,16 @@ pub mod features;
 pub mod model;
 mod reach;
 pub mod chart;
+pub mod absorb;
 pub mod parse;
 pub mod derivation;
 
 pub use category::Category;
 pub use chart::{Chart, ChartConfig, Lexical};
-pub use combinator::{Grammar, RULES, RuleId, SHIFTS};
+pub use combinator::{Grammar, RULES, RuleId, Shift};
 pub use derivation::Derivation;
 pub use features::{Feature, FeatureId, Features, Vector};
-pub use lexicon::{EntryId, LexemeId, Lexicon, Origin, TemplateId};
+pub use lexicon::{EntryId, Hole, LexemeId, Lexicon, Origin, TemplateId};
 pub use model::Model;
 pub use parse::{Parse, Reading, Reason, parse};
 pub use sentence::{MAX_WORDS, words};

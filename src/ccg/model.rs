@@ -1,14 +1,17 @@
 //! A model: grammar, lexicon and weights, with what is known of how it came to be. Its file is one text, a fact a
 //! line, fields parted by tabs; what is read back scores every sentence to the same bit, since order is kept.
 
-use super::combinator::{Grammar, RuleId};
+use super::combinator::{Grammar, Shift};
 use super::features::{Feature, Features};
-use super::lexicon::{EntryId, Lexeme, Lexicon, Origin};
-use crate::logic::{ConstantId, Signature, print, read};
+use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
+use crate::logic::{ConstantId, Signature, Sorts, print, read};
 use indexmap::IndexMap;
 
 /// The first line of a model file.
 const HEADER: &str = "groundling model 1";
+
+/// Type shifts that a grammar may have: rules are numbered in a byte.
+const MAX_SHIFTS: usize = 64;
 
 /// A parser that can be asked, trained and saved.
 #[derive(Clone, Debug, Default)]
@@ -36,26 +39,60 @@ pub struct ModelError {
 }
 
 impl Model {
+    /// Says which constants there are.
+    pub fn set_signature(&mut self, signature: Signature) {
+        self.grammar.sorts = Sorts::new(&signature);
+        self.signature = signature;
+    }
+
     /// What an entry of the lexicon, or a candidate, scores.
     pub fn entry_score(&self, id: EntryId) -> f64 {
+        self.value(&self.entry_features(id))
+    }
+
+    /// What the use of an entry is scored by.
+    pub fn entry_features(&self, id: EntryId) -> [Feature; 3] {
         let entry = self.lexicon.entry(id);
-        self.features.value(Feature::Lexeme(entry.lexeme))
-            + self.features.value(Feature::Template(entry.template))
-            + self.features.value(Feature::Entry(id))
+        [Feature::Lexeme(entry.lexeme), Feature::Template(entry.template), Feature::Entry(id)]
+    }
+
+    /// What it is scored by that a word goes without meaning, be it by an entry that says so.
+    pub fn absorption_features(&self, word: &str, empty: Option<EntryId>) -> Vec<Feature> {
+        let mut features = match empty {
+            Some(entry) => self.entry_features(entry).to_vec(),
+            None => vec![Feature::Skip],
+        };
+        if self.lexicon.has_content(word) {
+            features.push(Feature::Dropped);
+        }
+        features
+    }
+
+    /// The sum of what features add to a score, each occurring once.
+    pub fn value(&self, features: &[Feature]) -> f64 {
+        features.iter().fold(0.0, |sum, &feature| sum + self.features.value(feature))
     }
 
     /// The model file's text.
     pub fn print(&self) -> String {
         let mut lines = vec![HEADER.to_owned()];
         lines.extend(self.facts.iter().map(|(name, value)| format!("fact\t{name}\t{value}")));
-        lines.extend(self.signature.iter().map(|(name, ty)| format!("constant\t{name}:{ty}")));
+        lines.extend(self.signature.print().lines().map(|line| format!("signature\t{line}")));
         lines.extend(self.lexicon.frame.iter().map(|&c| format!("frame\t{}", self.constant(c))));
         let commutative = self.grammar.commutative.iter();
         lines.extend(commutative.map(|&c| format!("commutative\t{}", self.constant(c))));
+        for Shift { name, meaning, .. } in &self.grammar.shifts {
+            lines.push(format!("shift\t{name}\t{}", print(&self.grammar.terms, *meaning)));
+        }
         for (_, template) in self.lexicon.templates() {
             let syntax = self.grammar.syntaxes.text(template.syntax);
             let meaning = print(&self.grammar.terms, template.meaning);
             lines.push(format!("template\t{syntax}\t{}\t{meaning}", template.holes));
+        }
+        for (&template, holes) in &self.lexicon.open {
+            let holes: Vec<String> = holes.iter().map(|&hole| self.hole_text(hole)).collect();
+            let place = self.lexicon.template_place(template);
+            lines.push(format!("open\t{place}\t{}", holes.join(" ")));
         }
         for &id in self.lexicon.entries() {
             let origin = match self.lexicon.origin(id) {
@@ -95,11 +132,11 @@ impl Model {
                 }
                 _ if ended => return Err(error("the file goes on after its end".to_owned())),
                 ["end"] => ended = true,
-                ["constant", constant] => {
-                    signature.push_str(constant);
+                ["signature", line] => {
+                    signature.push_str(line);
                     signature.push('\n');
-                    model.signature =
-                        Signature::read(&signature).map_err(|e| error(e.reason.into()))?;
+                    let read = Signature::read(&signature);
+                    model.set_signature(read.map_err(|e| error(e.reason.into()))?);
                 }
                 _ => model.read_line(&fields).map_err(error)?,
             }
@@ -127,6 +164,7 @@ impl Model {
                 let constant = self.read_constant(constant)?;
                 self.grammar.commutative.push(constant);
             }
+            ["shift", name, meaning] => self.read_shift(name, meaning)?,
             ["template", syntax, holes, meaning] => {
                 let syntax = self
                     .grammar
@@ -139,6 +177,16 @@ impl Model {
                 if self.lexicon.holes(&self.grammar, template).len() != holes {
                     return Err(format!("the template's meaning has not {holes} holes"));
                 }
+            }
+            ["open", place, holes] => {
+                let template = self.read_template(place)?;
+                let holes: Result<Box<[Hole]>, String> =
+                    holes.split_whitespace().map(|hole| self.read_hole(hole)).collect();
+                let holes = holes?;
+                if holes.len() != self.lexicon.template(template).holes {
+                    return Err(format!("template {place} has not {} holes", holes.len()));
+                }
+                self.lexicon.open.insert(template, holes);
             }
             ["entry", words, constants, template, origin] => {
                 let origin = match origin {
@@ -161,6 +209,26 @@ impl Model {
             }
             _ => return Err(format!("no line of a model begins with {:?}", fields.first())),
         }
+        Ok(())
+    }
+
+    /// Adds a type shift: a name `FROM=>TO`, after which a further word may tell shifts apart, and what it does to a
+    /// meaning.
+    ///
+    /// # Errors
+    /// In words, when a category or the meaning cannot be read, the name is taken, or there are too many.
+    pub(super) fn read_shift(&mut self, name: &str, meaning: &str) -> Result<(), String> {
+        let Grammar { syntaxes, terms, shifts, .. } = &mut self.grammar;
+        let (from, to) = name.split_once("=>").ok_or("a shift is called FROM=>TO")?;
+        let to = to.split_whitespace().next().unwrap_or("");
+        let mut syntax =
+            |text: &str| syntaxes.read(text).ok_or(format!("{text:?} is no syntactic category"));
+        let (from, to) = (syntax(from.trim())?, syntax(to)?);
+        let meaning = read(terms, meaning).map_err(|e| e.to_string())?;
+        if shifts.len() == MAX_SHIFTS || shifts.iter().any(|shift| *shift.name == *name) {
+            return Err(format!("there are {MAX_SHIFTS} shifts at most, each with its own name"));
+        }
+        shifts.push(Shift { name: name.into(), from, to, meaning });
         Ok(())
     }
 
@@ -203,6 +271,29 @@ impl Model {
         format!("{}:{}", terms.name(constant), terms.types.print(terms.constant_ty(constant)))
     }
 
+    fn hole_text(&self, hole: Hole) -> String {
+        match hole {
+            Hole::Any => "?".to_owned(),
+            Hole::Noun => "?noun".to_owned(),
+            Hole::Adjective => "?adjective".to_owned(),
+            Hole::Only(constant) => self.constant(constant),
+        }
+    }
+
+    fn read_hole(&mut self, text: &str) -> Result<Hole, String> {
+        Ok(match text {
+            "?" => Hole::Any,
+            "?noun" => Hole::Noun,
+            "?adjective" => Hole::Adjective,
+            _ => Hole::Only(self.read_constant(text)?),
+        })
+    }
+
+    fn read_template(&self, place: &str) -> Result<TemplateId, String> {
+        let number = place.parse().map_err(|_| format!("{place:?} is no number"))?;
+        self.lexicon.template_at(number).ok_or(format!("there is no template {place}"))
+    }
+
     /// Words, constants and the template's place, as a model file has them.
     fn entry_text(&self, id: EntryId) -> String {
         let entry = self.lexicon.entry(id);
@@ -223,9 +314,18 @@ impl Model {
             }
             Feature::Template(id) => format!("template\t{}", self.lexicon.template_place(id)),
             Feature::Entry(id) => format!("entry\t{}", self.entry_text(id)),
-            Feature::Rule(rule) => format!("rule\t{}", rule.name()),
+            Feature::Rule(rule) => format!("rule\t{}", self.grammar.rule_name(rule)),
             Feature::Skip => "skip".to_owned(),
+            Feature::Dropped => "dropped".to_owned(),
             Feature::Pair(a, b) => format!("pair\t{}\t{}", self.constant(a), self.constant(b)),
+            Feature::Conjoined(a, b) => {
+                format!("conjoined\t{}\t{}", self.constant(a), self.constant(b))
+            }
+            Feature::Alone(constant) => format!("alone\t{}", self.constant(constant)),
+            Feature::Head(relation, place, head) => {
+                format!("head\t{}\t{place}\t{}", self.constant(relation), self.constant(head))
+            }
+            Feature::Heads(a, b) => format!("heads\t{}\t{}", self.constant(a), self.constant(b)),
         }
     }
 
@@ -238,22 +338,25 @@ impl Model {
                 let lexeme = Lexeme { words, constants: constants? };
                 Feature::Lexeme(self.lexicon.intern_lexeme(lexeme))
             }
-            ["template", place] => {
-                let place = place.parse().map_err(|_| format!("{place:?} is no number"))?;
-                Feature::Template(
-                    self.lexicon
-                        .template_at(place)
-                        .ok_or(format!("there is no template {place}"))?,
-                )
-            }
+            ["template", place] => Feature::Template(self.read_template(place)?),
             ["entry", words, constants, template] => {
                 Feature::Entry(self.read_entry(words, constants, template, Origin::Candidate)?)
             }
-            ["rule", name] => {
-                Feature::Rule(RuleId::named(name).ok_or(format!("there is no rule {name:?}"))?)
-            }
+            ["rule", name] => Feature::Rule(
+                self.grammar.rule_named(name).ok_or(format!("there is no rule {name:?}"))?,
+            ),
             ["skip"] => Feature::Skip,
+            ["dropped"] => Feature::Dropped,
             ["pair", a, b] => Feature::Pair(self.read_constant(a)?, self.read_constant(b)?),
+            ["conjoined", a, b] => {
+                Feature::Conjoined(self.read_constant(a)?, self.read_constant(b)?)
+            }
+            ["alone", constant] => Feature::Alone(self.read_constant(constant)?),
+            ["head", relation, place, head] => {
+                let place = place.parse().map_err(|_| format!("{place:?} is no number"))?;
+                Feature::Head(self.read_constant(relation)?, place, self.read_constant(head)?)
+            }
+            ["heads", a, b] => Feature::Heads(self.read_constant(a)?, self.read_constant(b)?),
             _ => return Err(format!("there is no feature {:?}", fields.first())),
         })
     }

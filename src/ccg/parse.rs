@@ -1,6 +1,7 @@
 //! Parsing a command with a model: its distinct readings, ranked; when there is no full parse, the parse that
 //! skips words; when there is no single answer, why.
 
+use super::absorb::{Leniency, absorbing, absorption, empty_entries};
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Lexical};
 use super::combinator::Grammar;
@@ -9,7 +10,7 @@ use super::features::{Feature, root_features};
 use super::lexicon::EntryId;
 use super::model::Model;
 use super::sentence::{MAX_WORDS, words};
-use super::syntax::Atom;
+use super::syntax::{Atom, SyntaxId};
 use crate::logic::{Node, TermId, Terms, print, ty};
 use rustc_hash::FxHashMap;
 
@@ -63,7 +64,6 @@ pub struct Parse {
     pub reason: Option<Reason>,
     /// Derivations tried, in both passes.
     pub tried: usize,
-    parsed: Vec<String>,
     chart: Chart,
 }
 
@@ -96,19 +96,13 @@ impl Parse {
         next
     }
 
-    /// The words that the derivations are of: those of the command that the lexicon knows, where others were
-    /// skipped.
-    pub fn parsed_words(&self) -> &[String] {
-        &self.parsed
-    }
-
-    /// The best derivation of a reading, over [`Parse::parsed_words`].
+    /// The best derivation of a reading, over [`Parse::words`].
     pub fn derivation(&self, reading: Reading) -> Derivation {
         Derivation::of(&self.chart, reading.edge, &EntryId::from_item)
     }
 }
 
-/// Parses a command: without skipping words, then, if there is no full parse, with.
+/// Parses a command: without skipping words, then, if there is no full parse, with, unknown words first.
 pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
     let words = words(command);
     let reason = match words.len() {
@@ -118,52 +112,35 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
     };
     if reason.is_some() {
         let chart = Chart::fill(&mut model.grammar, 0, Vec::new(), |_| 0.0, |_, _, _| true, config);
-        let (readings, skipped, parsed) = (Vec::new(), Vec::new(), Vec::new());
-        return Parse { words, readings, skipped, reason, tried: 0, parsed, chart };
+        let (readings, skipped) = (Vec::new(), Vec::new());
+        return Parse { words, readings, skipped, reason, tried: 0, chart };
     }
-    let lexical = lexical_items(model, &words);
-    let first = fill(model, &words, lexical, |_, _, _| true, config);
-    if !first.readings.is_empty() {
-        return first;
-    }
-    // Words that the lexicon does not know are skipped in any case; what is left may parse as it stands.
-    let (known, unknown): (Vec<String>, Vec<String>) =
-        words.iter().cloned().partition(|word| model.lexicon.knows(word));
-    let mut second = first;
-    if !unknown.is_empty() && !known.is_empty() {
-        let lexical = lexical_items(model, &known);
-        second = second.or_else(fill(model, &known, lexical, |_, _, _| true, config));
-    }
-    if second.readings.is_empty() && !known.is_empty() {
-        let lexical = with_skips(model, &known);
-        second = second.or_else(fill(model, &known, lexical, |_, _, _| true, config));
-    }
-    let cost = model.features.value(Feature::Skip) * unknown.len() as f64;
-    second.readings.iter_mut().for_each(|reading| reading.score += cost);
-    if let Some(&best) = second.readings.first() {
-        let others = skipped_words(model, &second.derivation(best), &known);
-        second.skipped = in_order(&words, unknown, others);
-    } else if second.chart.over_budget {
-        second.reason = Some(Reason::Budget);
-    } else if unknown.is_empty() {
-        second.reason = Some(Reason::NoParse);
-    } else {
-        second.reason = Some(Reason::UnknownWords);
-    }
-    second.words = words;
-    second
-}
-
-/// The skipped words in the order of the sentence.
-fn in_order(words: &[String], unknown: Vec<String>, others: Vec<String>) -> Vec<String> {
-    let mut skipped = Vec::with_capacity(unknown.len() + others.len());
-    let (mut unknown, mut others) = (unknown.into_iter().peekable(), others.into_iter().peekable());
-    for word in words {
-        if unknown.next_if_eq(word).is_some() || others.next_if_eq(word).is_some() {
-            skipped.push(word.clone());
+    let mut parse = fill_at(model, &words, Leniency::Learned, config);
+    for leniency in [Leniency::Unknown, Leniency::Any] {
+        if parse.readings.is_empty() {
+            let next = fill_at(model, &words, leniency, config);
+            parse = parse.or_else(next);
         }
     }
-    skipped
+    if let Some(&best) = parse.readings.first() {
+        let empty = empty_entries(model, &words);
+        let absorbed = parse.derivation(best).absorbed().into_iter();
+        parse.skipped =
+            absorbed.filter(|&at| empty[at].is_none()).map(|at| words[at].clone()).collect();
+    } else if parse.chart.over_budget {
+        parse.reason = Some(Reason::Budget);
+    } else if words.iter().all(|word| model.lexicon.knows(word)) {
+        parse.reason = Some(Reason::NoParse);
+    } else {
+        parse.reason = Some(Reason::UnknownWords);
+    }
+    parse
+}
+
+fn fill_at(model: &mut Model, words: &[String], leniency: Leniency, config: ChartConfig) -> Parse {
+    let costs = absorption(model, words, leniency);
+    let items = absorbing(lexical_items(model, words), &costs);
+    fill(model, words, items, |_, _, _| true, config)
 }
 
 /// Parses words from given lexical items, whose `item` is an entry's number, without the edges that `admit`
@@ -180,9 +157,8 @@ pub fn fill(
     let chart = Chart::fill(&mut model.grammar, words.len(), lexical, rule_score, admit, config);
     let readings = readings(model, &chart);
     let tried = chart.tried;
-    let (parsed, skipped) = (words.to_vec(), Vec::new());
-    let mut parse =
-        Parse { words: parsed.clone(), readings, skipped, reason: None, tried, parsed, chart };
+    let words = words.to_vec();
+    let mut parse = Parse { words, readings, skipped: Vec::new(), reason: None, tried, chart };
     if parse.tied() > 1 {
         parse.reason = Some(Reason::Tie);
     }
@@ -197,7 +173,10 @@ pub fn lexical_items(model: &Model, words: &[String]) -> Vec<Lexical> {
         let longest = (start + model.lexicon.longest()).min(words.len());
         for end in start + 1..=longest {
             for &entry in model.lexicon.entries_for(&words[start..end]) {
-                items.push(lexical_item(model, entry, start, end));
+                let item = lexical_item(model, entry, start, end);
+                if item.category.syntax != SyntaxId::EMPTY {
+                    items.push(item);
+                }
             }
         }
     }
@@ -207,42 +186,7 @@ pub fn lexical_items(model: &Model, words: &[String]) -> Vec<Lexical> {
 /// An entry over a span.
 pub fn lexical_item(model: &Model, entry: EntryId, start: usize, end: usize) -> Lexical {
     let (category, score) = (model.lexicon.category(entry), model.entry_score(entry));
-    Lexical { start, end, skipped: 0, category, score, item: entry.item() }
-}
-
-/// The same, each also over the words to its right that it skips; what stands at the beginning is skipped by the
-/// item that follows, so that there is one way to skip a word.
-fn with_skips(model: &Model, words: &[String]) -> Vec<Lexical> {
-    let cost = model.features.value(Feature::Skip);
-    let mut items = Vec::new();
-    for item in lexical_items(model, words) {
-        for start in [item.start, 0] {
-            for end in item.end..=words.len() {
-                let skipped = (item.start - start) + (end - item.end);
-                let score = item.score + cost * skipped as f64;
-                items.push(Lexical { start, end, skipped, score, ..item });
-            }
-            if item.start == 0 {
-                break;
-            }
-        }
-    }
-    items
-}
-
-fn skipped_words(model: &Model, derivation: &Derivation, words: &[String]) -> Vec<String> {
-    let mut skipped = Vec::new();
-    for leaf in derivation.leaves() {
-        let Derivation::Leaf { start, end, entry, .. } = leaf else { continue };
-        let own = &model.lexicon.lexeme(model.lexicon.entry(*entry).lexeme).words;
-        let span = &words[*start..*end];
-        let is_own =
-            |window: &[String]| window.iter().map(String::as_str).eq(own.iter().map(|w| &**w));
-        let at = span.windows(own.len()).position(is_own).unwrap_or(0);
-        skipped.extend_from_slice(&span[..at]);
-        skipped.extend_from_slice(&span[at + own.len()..]);
-    }
-    skipped
+    Lexical { start, end, own: (start, end), category, score, item: entry.item() }
 }
 
 /// The distinct goals among a chart's roots, ranked. Goals that differ in the order of the arguments of a
@@ -256,7 +200,7 @@ fn readings(model: &mut Model, chart: &Chart) -> Vec<Reading> {
         if found.category.syntax != sentence || model.grammar.terms.ty(form) != ty::TRUTH {
             continue;
         }
-        let root = root_features(&model.grammar.terms, form);
+        let root = root_features(&model.grammar.terms, &model.grammar.sorts, form);
         let score = root.iter().fold(found.score, |sum, &f| sum + model.features.value(f));
         let reading = Reading { form, score, edge };
         let key = commuted(&mut model.grammar.terms, &model.grammar.commutative, form);

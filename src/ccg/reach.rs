@@ -75,7 +75,8 @@ impl Reach {
             }
         }
         for child in 0..cell.len() {
-            for syntax in grammar.shifted_syntaxes(cell[child].syntax) {
+            let from = cell[child].syntax;
+            for syntax in grammar.shifted_syntaxes(from) {
                 place(&mut cell, syntax).ways.push(Way::Shift { child });
             }
         }

@@ -7,7 +7,13 @@ use rustc_hash::FxHashMap;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SyntaxId(u32);
 
-/// The atoms: sentence, noun, noun phrase, prepositional phrase, adverbial phrase, predicative adjective.
+impl SyntaxId {
+    /// What means nothing: the atoms have the same ids everywhere, in their order.
+    pub const EMPTY: SyntaxId = SyntaxId(Atom::EMPTY as u32);
+}
+
+/// The atoms: sentence, noun, noun phrase, prepositional phrase, adverbial phrase, predicative adjective;
+/// and what means nothing here, which its neighbour absorbs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "the names are the categories'")]
 pub enum Atom {
@@ -17,15 +23,17 @@ pub enum Atom {
     PP,
     AP,
     ADJ,
+    EMPTY,
 }
 
-const ATOMS: [(Atom, &str); 6] = [
+const ATOMS: [(Atom, &str); 7] = [
     (Atom::S, "S"),
     (Atom::N, "N"),
     (Atom::NP, "NP"),
     (Atom::PP, "PP"),
     (Atom::AP, "AP"),
     (Atom::ADJ, "ADJ"),
+    (Atom::EMPTY, "EMPTY"),
 ];
 
 /// Where a functor looks for its argument: `/` to the right, `\` to the left.

@@ -2,11 +2,15 @@
 //! template with one placeholder constant a type; what a full parse used is filled in with every constant of the
 //! type. What comes out are candidates: only validation makes them entries.
 
+use super::novelty::{Novelty, novelty};
+use crate::ccg::absorb::{absorbing, absorption_of, empty_entries};
 use crate::ccg::chart::{Chart, ChartConfig, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
 use crate::ccg::parse::lexical_items;
-use crate::ccg::{Atom, Category, EntryId, Feature, Grammar, Model, Origin, SyntaxId, TemplateId};
+use crate::ccg::{
+    Atom, Category, EntryId, Feature, Grammar, Hole, Model, Origin, SyntaxId, TemplateId,
+};
 use crate::logic::{ConstantId, TyId, ty};
 use rustc_hash::FxHashSet;
 
@@ -40,6 +44,8 @@ pub enum Scope {
 pub struct Generated {
     /// The candidates.
     pub candidates: Vec<Candidate>,
+    /// For every word the entry, or candidate, by which it means nothing.
+    pub empty: Vec<Option<EntryId>>,
     /// The syntactic categories that took part in a full coarse parse, by span: no other can lead to one.
     pub useful: FxHashSet<(usize, usize, SyntaxId)>,
 }
@@ -52,12 +58,17 @@ pub fn generate(
     config: ChartConfig,
 ) -> Generated {
     let templates = coarse_categories(model);
-    let chart = coarse_chart(model, words, scope, &templates, config);
-    let mut generated = Generated::default();
+    let empty = empty_candidates(model, words);
+    let mut generated = Generated { empty, ..Generated::default() };
+    let chart = coarse_chart(model, words, scope, &templates, &generated.empty, config);
     for (start, end, template) in used_templates(model, &chart, &templates, &mut generated.useful) {
+        let novelty = novelty(model, &words[start..end]);
         let words: Box<[Box<str>]> =
             words[start..end].iter().map(|word| Box::from(word.as_str())).collect();
         for constants in fillings(model, template) {
+            if !novelty.admits(model, &constants) {
+                continue;
+            }
             let lexeme = Lexeme { words: words.clone(), constants: constants.into() };
             let added = model.lexicon.add(&mut model.grammar, lexeme, template, Origin::Candidate);
             if let Ok(entry) = added
@@ -70,9 +81,30 @@ pub fn generate(
     generated
 }
 
-/// Every template with placeholders in its holes.
+/// For every word the entry by which it means nothing, a candidate where the lexicon has none and it may.
+fn empty_candidates(model: &mut Model, words: &[String]) -> Vec<Option<EntryId>> {
+    let known = empty_entries(model, words);
+    let is_empty = |id: &TemplateId| model.lexicon.template(*id).syntax == SyntaxId::EMPTY;
+    let Some(template) = model.lexicon.open.keys().copied().find(is_empty) else { return known };
+    let mut candidates = Vec::with_capacity(words.len());
+    for (word, known) in words.iter().zip(known) {
+        let novelty = novelty(model, std::slice::from_ref(word));
+        let new = known.is_none() && matches!(novelty, Novelty::Any);
+        candidates.push(if new { add(model, word, template) } else { known });
+    }
+    candidates
+}
+
+fn add(model: &mut Model, word: &str, template: TemplateId) -> Option<EntryId> {
+    let lexeme = Lexeme { words: Box::new([Box::from(word)]), constants: Box::new([]) };
+    model.lexicon.add(&mut model.grammar, lexeme, template, Origin::Candidate).ok()
+}
+
+/// Every template with placeholders in its holes; the empty one is no category.
 fn coarse_categories(model: &mut Model) -> Vec<(TemplateId, Category)> {
-    let ids: Vec<TemplateId> = model.lexicon.templates().map(|(id, _)| id).collect();
+    let is_empty = |&id: &TemplateId| model.lexicon.template(id).syntax == SyntaxId::EMPTY;
+    let open = model.lexicon.open.keys().copied();
+    let ids: Vec<TemplateId> = open.filter(|id| !is_empty(id)).collect();
     let mut coarse = Vec::with_capacity(ids.len());
     for id in ids {
         let holes = model.lexicon.holes(&model.grammar, id);
@@ -93,23 +125,30 @@ fn coarse_chart(
     words: &[String],
     scope: Scope,
     templates: &[(TemplateId, Category)],
+    empty: &[Option<EntryId>],
     config: ChartConfig,
 ) -> Chart {
     let mut items = lexical_items(model, words);
     for item in &mut items {
         item.item += templates.len() as u32;
     }
-    let unknown: Vec<bool> = words.iter().map(|word| !model.lexicon.knows(word)).collect();
     for start in 0..words.len() {
         for end in start + 1..=(start + MAX_SPAN).min(words.len()) {
-            if scope == Scope::UnknownWords && !unknown[start..end].contains(&true) {
+            let own = &words[start..end];
+            if scope == Scope::UnknownWords && own.iter().all(|word| model.lexicon.knows(word)) {
                 continue;
             }
+            let novelty = novelty(model, own);
             for (item, &(_, category)) in (0..).zip(templates) {
-                items.push(Lexical { start, end, skipped: 0, category, score: 0.0, item });
+                if novelty.admits_syntax(model, category.syntax) {
+                    let own = (start, end);
+                    items.push(Lexical { start, end, own, category, score: 0.0, item });
+                }
             }
         }
     }
+    let costs = absorption_of(model, words, empty);
+    let items = absorbing(items, &costs);
     let features = &model.features;
     let rule_score = |rule| features.value(Feature::Rule(rule));
     let config = ChartConfig { all_derivations: true, allow_vacuous: true, ..config };
@@ -135,10 +174,10 @@ fn used_templates(
         useful.insert((start, end, chart.edge(edge).category.syntax));
         for step in chart.steps(edge) {
             if let Step::Lexical(index) = step
-                && let Some(&(template, _)) =
-                    templates.get(chart.lexical[index as usize].item as usize)
+                && let Lexical { own, item, .. } = chart.lexical[index as usize]
+                && let Some(&(template, _)) = templates.get(item as usize)
             {
-                used.push((start, end, template));
+                used.push((own.0, own.1, template));
             }
         }
     }
@@ -147,12 +186,13 @@ fn used_templates(
     used
 }
 
-/// Every way to fill a template's holes with the signature's constants.
+/// Every way to fill an open template's holes with the signature's constants.
 fn fillings(model: &mut Model, template: TemplateId) -> Vec<Vec<ConstantId>> {
-    let holes = model.lexicon.holes(&model.grammar, template);
+    let types = model.lexicon.holes(&model.grammar, template);
+    let holes = model.lexicon.open.get(&template).cloned().unwrap_or_default();
     let mut ways = vec![Vec::new()];
-    for hole in holes {
-        let constants = constants_of(model, hole);
+    for (ty, &hole) in types.into_iter().zip(&holes) {
+        let constants = constants_for(model, ty, hole);
         ways = ways
             .iter()
             .flat_map(|way: &Vec<ConstantId>| {
@@ -168,14 +208,21 @@ fn fillings(model: &mut Model, template: TemplateId) -> Vec<Vec<ConstantId>> {
     ways
 }
 
-/// The constants of a type that words can stand for: the frame's are none.
-fn constants_of(model: &mut Model, hole: TyId) -> Vec<ConstantId> {
+/// The constants that words can put into a hole: the frame's are none.
+fn constants_for(model: &mut Model, ty: TyId, hole: Hole) -> Vec<ConstantId> {
+    if let Hole::Only(constant) = hole {
+        return vec![constant];
+    }
     let Model { signature, grammar, lexicon, .. } = model;
-    let terms = &mut grammar.terms;
     let mut found = Vec::new();
     for (name, text) in signature.iter() {
-        if terms.types.read(text) == Some(hole) {
-            let constant = terms.constant(name, hole);
+        let fits = match hole {
+            Hole::Any | Hole::Only(_) => true,
+            Hole::Noun => grammar.sorts.is_noun(name),
+            Hole::Adjective => !grammar.sorts.is_noun(name),
+        };
+        if fits && grammar.terms.types.read(text) == Some(ty) {
+            let constant = grammar.terms.constant(name, ty);
             if !lexicon.frame.contains(&constant) {
                 found.push(constant);
             }

@@ -3,8 +3,9 @@
 //! but in the baseline of `planning`.
 
 pub mod seed;
+pub mod novelty;
 pub mod genlex;
-pub mod perceptron;
+pub mod gradient;
 pub mod planning;
 pub mod trainer;
 pub mod score;

@@ -15,7 +15,8 @@ pub const DEMONSTRATION_LEXICON: &str = include_str!("../../assets/lexicon/demon
 pub fn seed_model(lexicon: &str) -> Result<Model, LexiconError> {
     let signature = Signature::read(ONTOLOGY)
         .map_err(|e| LexiconError { line: e.line, reason: format!("ontology: {}", e.reason) })?;
-    let mut model = Model { signature, ..Model::default() };
+    let mut model = Model::default();
+    model.set_signature(signature);
     read_lexicon(&mut model, lexicon)?;
     Ok(model)
 }

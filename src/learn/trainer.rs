@@ -1,9 +1,10 @@
 //! Training as a resumable walk over epochs and examples: generate candidates, keep those of the best valid
-//! parses, update the weights (Artzi and Zettlemoyer 2013). A function of corpus, settings and seed alone.
+//! parses, update the weights (after Artzi and Zettlemoyer 2013). A function of corpus, settings and seed alone.
 
 use super::genlex::{Candidate, Generated, Scope, generate};
-use super::perceptron::{Judged, update};
+use super::gradient::{Judged, update};
 use super::planning::{PlannerCost, Planning, Validation};
+use crate::ccg::absorb::{Leniency, absorbing, absorption, absorption_of, empty_entries};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
 use crate::ccg::{Atom, Category, Derivation, EntryId, Grammar, MAX_WORDS, Model, Origin, words};
@@ -23,9 +24,9 @@ pub struct Config {
     pub lexical_beam: u32,
     /// Pairs of each example that are looked at, from the first; all when `None`.
     pub demonstrations: Option<u32>,
-    /// The factor of the margin.
+    /// By how much a valid reading is to outscore an invalid one.
     pub margin: f64,
-    /// The seed of the order of examples; with 0 they come in the corpus' order.
+    /// The seed of the order of examples, which is another in each epoch: corpora come sorted by task.
     pub seed: u32,
     /// Derivations tried in a chart.
     pub budget: usize,
@@ -44,7 +45,7 @@ impl Default for Config {
             beam: 150,
             lexical_beam: 75,
             demonstrations: None,
-            margin: 1.0,
+            margin: 2.0,
             seed: 0,
             budget: ChartConfig::default().budget,
             lexical_budget: 60_000,
@@ -95,6 +96,10 @@ pub struct Epoch {
     /// Sentences whose chart ran out of its budget.
     pub over_budget: usize,
 }
+
+/// What each constant of a candidate costs while it is no part of the lexicon: that a word means nothing is believed
+/// sooner than that it means something new.
+const NOVELTY: f64 = 1.0;
 
 /// The facts of a checkpoint that a finished model does not have.
 const PLACE: [&str; 5] = ["at_epoch", "at_example", "at_valid", "at_updates", "at_over_budget"];
@@ -319,13 +324,11 @@ impl Trainer {
         self.next = 0;
         self.so_far = Epoch::default();
         self.order = (0..self.items.len() as u32).collect();
-        if self.config.seed != 0 {
-            let mut random =
-                Pcg32::seed_from_u64(u64::from(self.config.seed) << 32 | u64::from(self.epoch));
-            for last in (1..self.order.len() as u32).rev() {
-                let other = random.random_range(0..=last);
-                self.order.swap(last as usize, other as usize);
-            }
+        let seed = u64::from(self.config.seed) << 32 | u64::from(self.epoch);
+        let mut random = Pcg32::seed_from_u64(seed);
+        for last in (1..self.order.len() as u32).rev() {
+            let other = random.random_range(0..=last);
+            self.order.swap(last as usize, other as usize);
         }
     }
 
@@ -346,7 +349,9 @@ impl Trainer {
         for reading in self.best_valid(&parse, at) {
             let derivation = parse.derivation(reading);
             let lexicon = &self.model.lexicon;
-            let entries = derivation.leaves().into_iter().filter_map(Derivation::entry);
+            let empty = derivation.absorbed().into_iter().filter_map(|at| generated.empty[at]);
+            let entries =
+                derivation.leaves().into_iter().filter_map(Derivation::entry).chain(empty);
             let new = |entry: &EntryId| lexicon.origin(*entry) == Origin::Candidate;
             additions.push(entries.filter(new).collect());
         }
@@ -364,8 +369,13 @@ impl Trainer {
         let Item { words, pairs } = &self.items[at];
         let mut items = lexical_items(&self.model, words);
         for &Candidate { start, end, entry } in &generated.candidates {
-            items.push(lexical_item(&self.model, entry, start, end));
+            let mut item = lexical_item(&self.model, entry, start, end);
+            let lexeme = self.model.lexicon.lexeme(self.model.lexicon.entry(entry).lexeme);
+            item.score -= NOVELTY * lexeme.constants.len() as f64;
+            items.push(item);
         }
+        let costs = absorption_of(&self.model, words, &generated.empty);
+        let items = absorbing(items, &costs);
         let validator = &mut self.validator;
         let admit = |grammar: &Grammar, (start, end): (usize, usize), category: Category| {
             let is = |atom| grammar.syntaxes.is(category.syntax, atom);
@@ -401,13 +411,16 @@ impl Trainer {
         if !can_parse(words) {
             return (Vec::new(), false);
         }
-        let items = lexical_items(&self.model, words);
+        let costs = absorption(&self.model, words, Leniency::Learned);
+        let items = absorbing(lexical_items(&self.model, words), &costs);
+        let empty = empty_entries(&self.model, words);
         let config = chart_config(self.config.beam, self.config.budget);
         let parse = fill(&mut self.model, words, items, |_, _, _| true, config);
         let mut judged = Vec::with_capacity(parse.readings.len());
         for &reading in &parse.readings {
             let valid = self.validator.valid(&self.model.grammar.terms, reading.form, pairs);
-            let occurring = parse.derivation(reading).features(&self.model, reading.form);
+            let occurring =
+                parse.derivation(reading).features(&self.model, reading.form, words, &empty);
             judged.push(Judged { features: self.model.features.vector(&occurring), valid });
         }
         (judged, parse.over_budget())

@@ -1,6 +1,7 @@
 //! Simply typed λ-calculus with hash-consed normal forms: the language of goals. Knows no world.
 
 pub mod ty;
+pub mod sort;
 pub mod signature;
 pub mod term;
 mod reduce;
@@ -10,5 +11,6 @@ pub mod print;
 pub use print::{print, print_human};
 pub use read::{ReadError, read};
 pub use signature::Signature;
+pub use sort::Sorts;
 pub use term::{ConstantId, LogicError, Node, TermId, Terms};
 pub use ty::{TyId, Type, Types};

@@ -82,7 +82,7 @@ impl Asking {
                 form: print(terms, reading.form),
                 human: print_human(terms, reading.form),
                 score: reading.score,
-                derivation: parse.derivation(reading).print(model, parse.parsed_words()),
+                derivation: parse.derivation(reading).print(model, &parse.words),
                 failures,
             }
         });

@@ -1,0 +1,83 @@
+//! Words that mean nothing here, such as "please": their neighbour absorbs them. Which they are is learned like any
+//! meaning, by entries of category EMPTY (after the skipping entries of Artzi and Zettlemoyer's SPF); skipping a word
+//! that no entry calls empty is the same at a price. There is one way to absorb a word, so readings do not multiply.
+
+use super::chart::Lexical;
+use super::lexicon::EntryId;
+use super::model::Model;
+use super::syntax::SyntaxId;
+
+/// Which words may go without meaning.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Leniency {
+    /// Those that the lexicon says are empty.
+    Learned,
+    /// Those and the words that it does not know.
+    Unknown,
+    /// Any.
+    Any,
+}
+
+/// For every word the entry by which it means nothing, if the lexicon has one.
+pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
+    let empty = |word: &String| {
+        let entries = model.lexicon.entries_for(&[Box::from(word.as_str())]);
+        entries
+            .iter()
+            .copied()
+            .find(|&entry| model.lexicon.category(entry).syntax == SyntaxId::EMPTY)
+    };
+    words.iter().map(empty).collect()
+}
+
+/// What it adds to a score to leave each word without meaning; `None` where that may not be.
+pub fn absorption(model: &Model, words: &[String], leniency: Leniency) -> Vec<Option<f64>> {
+    let cost = |(word, empty): (&String, Option<EntryId>)| {
+        let may = match leniency {
+            Leniency::Any => true,
+            Leniency::Unknown => empty.is_some() || !model.lexicon.knows(word),
+            Leniency::Learned => empty.is_some(),
+        };
+        may.then(|| model.value(&model.absorption_features(word, empty)))
+    };
+    words.iter().zip(empty_entries(model, words)).map(cost).collect()
+}
+
+/// What it adds to a score to leave each word without meaning by the entries given for that.
+pub fn absorption_of(
+    model: &Model,
+    words: &[String],
+    empty: &[Option<EntryId>],
+) -> Vec<Option<f64>> {
+    let cost = |(word, empty): (&String, &Option<EntryId>)| {
+        empty.map(|entry| model.value(&model.absorption_features(word, Some(entry))))
+    };
+    words.iter().zip(empty).map(cost).collect()
+}
+
+/// The items, each also over the empty words to its right; those at the beginning of the sentence are absorbed by
+/// the item that follows. So there is one way to absorb a word.
+pub fn absorbing(items: Vec<Lexical>, costs: &[Option<f64>]) -> Vec<Lexical> {
+    // What it adds to leave all words before a place without meaning.
+    let mut leading = vec![Some(0.0)];
+    let mut sum = Some(0.0);
+    leading.extend(costs.iter().map(|cost| {
+        sum = sum.zip(*cost).map(|(sum, cost)| sum + cost);
+        sum
+    }));
+    let mut all = Vec::with_capacity(items.len());
+    for item in items {
+        let mut starts = vec![(item.start, 0.0)];
+        starts.extend(leading[item.start].filter(|_| item.start > 0).map(|cost| (0, cost)));
+        for (start, before) in starts {
+            let mut score = item.score + before;
+            all.push(Lexical { start, score, ..item });
+            for end in item.end..costs.len() {
+                let Some(cost) = costs[end] else { break };
+                score += cost;
+                all.push(Lexical { start, end: end + 1, score, ..item });
+            }
+        }
+    }
+    all
+}

@@ -1,0 +1,111 @@
+//! Sorts: what kinds of entity a constant can be true of. A phrase such as "the room in the room that is red" asks
+//! for something in which nothing can stand: it is well typed and denotes nothing in any world. Inference is
+//! conservative: what it refuses is never true, what it lets pass may still be false.
+
+use super::signature::Signature;
+use super::term::{Node, TermId, Terms};
+use rustc_hash::FxHashMap;
+
+/// A set of sorts, a bit each.
+pub type SortSet = u8;
+/// Sorts that a signature may have.
+pub const MAX_SORTS: usize = SortSet::BITS as usize;
+
+/// What a signature says of sorts, for the terms of one arena.
+#[derive(Clone, Debug, Default)]
+pub struct Sorts {
+    arguments: FxHashMap<Box<str>, Box<[SortSet]>>,
+    known: FxHashMap<TermId, bool>,
+}
+
+impl Sorts {
+    /// The sorts of a signature's constants.
+    pub fn new(signature: &Signature) -> Self {
+        let arguments = signature.arguments().map(|(name, sets)| (name.into(), sets.into()));
+        Sorts { arguments: arguments.collect(), known: FxHashMap::default() }
+    }
+
+    /// Whether a closed term could be about something. Memoised.
+    pub fn fit(&mut self, terms: &Terms, term: TermId) -> bool {
+        if let Some(&known) = self.known.get(&term) {
+            return known;
+        }
+        let fits = self.check(terms, term, &mut Vec::new());
+        self.known.insert(term, fits);
+        fits
+    }
+
+    /// The sorts of a constant's arguments.
+    pub fn of(&self, name: &str) -> Option<&[SortSet]> {
+        self.arguments.get(name).map(|sets| &**sets)
+    }
+
+    /// Whether the constant says what a thing is: a property that only one sort of entity can have.
+    pub fn is_noun(&self, name: &str) -> bool {
+        matches!(self.arguments.get(name).map(|sets| &**sets), Some([set]) if set.count_ones() == 1)
+    }
+
+    /// Narrows the sorts of the variables around `term`, innermost last, by what it says of them.
+    fn check(&self, terms: &Terms, term: TermId, around: &mut Vec<SortSet>) -> bool {
+        match terms.node(term) {
+            Node::Constant(_) | Node::Variable(_) => true,
+            Node::Lambda { .. } => self.range(terms, term, around).is_some(),
+            Node::Apply { head, args } => {
+                let name = match terms.node(head) {
+                    Node::Constant(constant) => terms.name(constant),
+                    _ => "",
+                };
+                // What is denied or one of several is no claim about the variables.
+                if name == "not" || name == "or" {
+                    return args.iter().all(|&arg| self.check(terms, arg, &mut around.clone()));
+                }
+                let sets = self.arguments.get(name);
+                args.iter().enumerate().all(|(at, &arg)| {
+                    let set = sets.and_then(|sets| sets.get(at)).copied().unwrap_or(SortSet::MAX);
+                    match terms.node(arg) {
+                        Node::Variable(index) => narrow(around, index, set),
+                        _ => self.phrase(terms, arg, around).is_some_and(|own| own & set != 0),
+                    }
+                })
+            }
+        }
+    }
+
+    /// The sorts of what an argument stands for; `None` when it cannot stand for anything.
+    fn phrase(&self, terms: &Terms, term: TermId, around: &mut Vec<SortSet>) -> Option<SortSet> {
+        let Node::Apply { head, args } = terms.node(term) else {
+            return self.check(terms, term, around).then_some(SortSet::MAX);
+        };
+        let is_determiner =
+            matches!(terms.node(head), Node::Constant(_)) && terms.ty(term) == super::ty::ENTITY;
+        if !is_determiner {
+            return self.check(terms, term, around).then_some(SortSet::MAX);
+        }
+        let mut own = SortSet::MAX;
+        for &arg in args {
+            own &= match terms.node(arg) {
+                Node::Lambda { .. } => self.range(terms, arg, around)?,
+                _ => SortSet::MAX,
+            };
+        }
+        (own != 0).then_some(own)
+    }
+
+    /// The sorts of what a function can be given; `None` when there are none.
+    fn range(&self, terms: &Terms, term: TermId, around: &mut Vec<SortSet>) -> Option<SortSet> {
+        let Node::Lambda { body, .. } = terms.node(term) else { return None };
+        around.push(SortSet::MAX);
+        let fits = self.check(terms, body, around);
+        let own = around.pop()?;
+        (fits && own != 0).then_some(own)
+    }
+}
+
+/// Leaves the variable of a de Bruijn index the sorts in `set`; whether any remain.
+fn narrow(around: &mut [SortSet], index: u32, set: SortSet) -> bool {
+    let Some(place) = around.len().checked_sub(index as usize + 1) else { return true };
+    around.get_mut(place).is_none_or(|own| {
+        *own &= set;
+        *own != 0
+    })
+}
