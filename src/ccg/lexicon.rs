@@ -183,6 +183,11 @@ impl Lexicon {
             && !entries.iter().any(may_be_empty)
     }
 
+    /// The words that occur in entries of the lexicon proper, in no particular order.
+    pub(super) fn vocabulary(&self) -> impl Iterator<Item = &str> {
+        self.vocabulary.iter().map(|word| &**word)
+    }
+
     /// Adds a template: a meaning abstracted over `holes` holes.
     pub fn add_template(&mut self, syntax: SyntaxId, meaning: TermId, holes: usize) -> TemplateId {
         let (place, _) = self.templates.insert_full(Template { syntax, meaning, holes });

@@ -13,6 +13,7 @@ pub mod model;
 mod reach;
 pub mod chart;
 pub mod absorb;
+mod spelling;
 pub mod parse;
 pub mod derivation;
 
@@ -25,4 +26,5 @@ pub use lexicon::{EntryId, Hole, LexemeId, Lexicon, Origin, TemplateId};
 pub use model::Model;
 pub use parse::{Parse, Reading, Reason, parse};
 pub use sentence::{MAX_WORDS, words};
+pub use spelling::heard;
 pub use syntax::{Atom, Direction, Syntax, SyntaxId, Syntaxes};

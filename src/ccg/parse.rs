@@ -10,6 +10,7 @@ use super::features::{Feature, root_features};
 use super::lexicon::EntryId;
 use super::model::Model;
 use super::sentence::{MAX_WORDS, words};
+use super::spelling::heard;
 use super::syntax::{Atom, SyntaxId};
 use crate::logic::{Node, TermId, Terms, print, ty};
 use rustc_hash::FxHashMap;
@@ -115,25 +116,27 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
         let (readings, skipped) = (Vec::new(), Vec::new());
         return Parse { words, readings, skipped, reason, tried: 0, chart };
     }
-    let mut parse = fill_at(model, &words, Leniency::Learned, config);
+    let heard = heard(&model.lexicon, &words);
+    let mut parse = fill_at(model, &heard, Leniency::Learned, config);
     for leniency in [Leniency::Unknown, Leniency::Any] {
         if parse.readings.is_empty() {
-            let next = fill_at(model, &words, leniency, config);
+            let next = fill_at(model, &heard, leniency, config);
             parse = parse.or_else(next);
         }
     }
     if let Some(&best) = parse.readings.first() {
-        let empty = empty_entries(model, &words);
+        let empty = empty_entries(model, &heard);
         let absorbed = parse.derivation(best).absorbed().into_iter();
         parse.skipped =
             absorbed.filter(|&at| empty[at].is_none()).map(|at| words[at].clone()).collect();
     } else if parse.chart.over_budget {
         parse.reason = Some(Reason::Budget);
-    } else if words.iter().all(|word| model.lexicon.knows(word)) {
+    } else if heard.iter().all(|word| model.lexicon.knows(word)) {
         parse.reason = Some(Reason::NoParse);
     } else {
         parse.reason = Some(Reason::UnknownWords);
     }
+    parse.words = words;
     parse
 }
 

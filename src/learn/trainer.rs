@@ -7,7 +7,9 @@ use super::planning::{PlannerCost, Planning, Validation};
 use crate::ccg::absorb::{Leniency, absorbing, absorption, absorption_of, empty_entries};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
-use crate::ccg::{Atom, Category, Derivation, EntryId, Grammar, MAX_WORDS, Model, Origin, words};
+use crate::ccg::{
+    Atom, Category, Derivation, EntryId, Grammar, MAX_WORDS, Model, Origin, heard, words,
+};
 use crate::corpus::Example;
 use crate::ground::PairId;
 use rand::{RngExt, SeedableRng};
@@ -411,6 +413,7 @@ impl Trainer {
         if !can_parse(words) {
             return (Vec::new(), false);
         }
+        let words = &heard(&self.model.lexicon, words);
         let costs = absorption(&self.model, words, Leniency::Learned);
         let items = absorbing(lexical_items(&self.model, words), &costs);
         let empty = empty_entries(&self.model, words);
