@@ -50,7 +50,7 @@ impl Default for Config {
             margin: 2.0,
             seed: 0,
             budget: ChartConfig::default().budget,
-            lexical_budget: 60_000,
+            lexical_budget: 20_000,
             generations: 2,
             planning: None,
         }
