@@ -4,37 +4,36 @@
 //! is the mean over all that violate the margin, stayed behind by six points on tasks never seen.
 
 use crate::ccg::{Features, Vector};
+use crate::logic::TermId;
 
 /// How far a step goes.
 const RATE: f64 = 0.3;
 /// What is less probable moves nothing.
 const LEAST: f64 = 1e-4;
 
-/// A reading's features and whether it is valid.
-pub struct Judged {
-    /// φ of the reading.
-    pub features: Vector,
-    /// Whether it holds on every demonstration.
-    pub valid: bool,
-}
-
 /// θ += rate · (mean φ of the valid readings − mean φ of all), each weighted by exp(θ·φ), invalid ones with `margin`
-/// added to their score. Returns whether there was something to tell apart.
-pub fn update(features: &mut Features, judged: &[Judged], margin: f64, moment: f64) -> bool {
-    let scores: Vec<f64> = judged
-        .iter()
-        .map(|reading| features.dot(&reading.features) + if reading.valid { 0.0 } else { margin })
-        .collect();
-    let all = softmax(&scores, |_| true);
-    let valid = softmax(&scores, |at| judged[at].valid);
-    let (Some(all), Some(valid)) = (all, valid) else { return false };
-    if judged.iter().all(|reading| reading.valid) {
+/// added to their score. Returns whether there was something to tell apart. A reading is a goal with its φ; which of
+/// them are valid stands in the same order.
+pub fn update(
+    features: &mut Features,
+    readings: &[(TermId, Vector)],
+    valid: &[bool],
+    margin: f64,
+    moment: f64,
+) -> bool {
+    let score = |((_, vector), &valid): (&(TermId, Vector), &bool)| {
+        features.dot(vector) + if valid { 0.0 } else { margin }
+    };
+    let scores: Vec<f64> = readings.iter().zip(valid).map(score).collect();
+    if !valid.contains(&false) {
         return false;
     }
-    for ((reading, all), valid) in judged.iter().zip(all).zip(valid) {
-        let by = RATE * (valid - all);
+    let Some(shares_of_valid) = softmax(&scores, |at| valid[at]) else { return false };
+    let Some(shares) = softmax(&scores, |_| true) else { return false };
+    for (((_, vector), share), share_of_valid) in readings.iter().zip(shares).zip(shares_of_valid) {
+        let by = RATE * (share_of_valid - share);
         if by.abs() > LEAST {
-            features.add(&reading.features, by, moment);
+            features.add(vector, by, moment);
         }
     }
     true

@@ -2,18 +2,22 @@
 //! parses, update the weights (after Artzi and Zettlemoyer 2013). A function of corpus, settings and seed alone.
 
 use super::genlex::{Candidate, Generated, Scope, generate};
-use super::gradient::{Judged, update};
+use super::gradient::update;
 use super::planning::{PlannerCost, Planning, Validation};
 use crate::ccg::absorb::{Leniency, absorbing, absorption, absorption_of, empty_entries};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
 use crate::ccg::{
-    Atom, Category, Derivation, EntryId, Grammar, MAX_WORDS, Model, Origin, heard, words,
+    Atom, Category, Derivation, EntryId, Grammar, MAX_WORDS, Model, Origin, Reading, Vector, heard,
+    words,
 };
 use crate::corpus::Example;
 use crate::ground::PairId;
+use crate::logic::TermId;
+use indexmap::IndexMap;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
+use rustc_hash::FxBuildHasher;
 
 /// The settings of a training run; the default is the paper's.
 #[derive(Clone, Debug, PartialEq)]
@@ -106,19 +110,23 @@ const NOVELTY: f64 = 1.0;
 /// The facts of a checkpoint that a finished model does not have.
 const PLACE: [&str; 5] = ["at_epoch", "at_example", "at_valid", "at_updates", "at_over_budget"];
 
-/// A command as training sees it.
+/// A command as training sees it, with the demonstrations of each example that has it: they share a chart.
 struct Item {
     words: Vec<String>,
-    pairs: Vec<PairId>,
+    examples: Vec<Vec<PairId>>,
 }
 
-/// What is done next with the example at work.
+/// Examples of one command for which entries are generated in an epoch: a command that contradicts itself is not
+/// to be asked over and over.
+const MAX_GENERATIONS: usize = 2;
+
+/// What is done next with the command at work.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Phase {
-    /// It is parsed with the lexicon; a valid parse, or none to be hoped for, leads to the update.
+    /// It is parsed with the lexicon; valid parses, or none to be hoped for, lead to the updates.
     Explain,
-    /// New entries are generated first.
-    Generate(Scope),
+    /// New entries are generated first, for one of its examples.
+    Generate(usize, Scope),
 }
 
 /// Why a run cannot go on from a checkpoint.
@@ -138,6 +146,7 @@ pub struct Trainer {
     model: Model,
     config: Config,
     items: Vec<Item>,
+    n_examples: usize,
     validator: Validation,
     order: Vec<u32>,
     epoch: u32,
@@ -158,21 +167,19 @@ impl Trainer {
             model.facts.insert("horizon".to_owned(), horizon.to_string());
         }
         let mut validator = Validation::new(config.planning);
-        let items = examples
-            .iter()
-            .map(|example| {
-                let n_pairs = config.demonstrations.map_or(usize::MAX, |n| n as usize);
-                let pairs = example.pairs.iter().take(n_pairs);
-                Item {
-                    words: words(&example.command),
-                    pairs: pairs.map(|pair| validator.pair(&pair.pre, &pair.post)).collect(),
-                }
-            })
-            .collect();
+        let mut items: IndexMap<Vec<String>, Vec<Vec<PairId>>, FxBuildHasher> = IndexMap::default();
+        for example in examples {
+            let n_pairs = config.demonstrations.map_or(usize::MAX, |n| n as usize);
+            let pairs = example.pairs.iter().take(n_pairs);
+            let pairs = pairs.map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
+            items.entry(words(&example.command)).or_default().push(pairs);
+        }
+        let items = items.into_iter().map(|(words, examples)| Item { words, examples }).collect();
         let mut trainer = Trainer {
             model,
             config,
             items,
+            n_examples: examples.len(),
             validator,
             order: Vec::new(),
             epoch: 0,
@@ -245,7 +252,7 @@ impl Trainer {
 
     /// Examples in an epoch.
     pub fn n_examples(&self) -> usize {
-        self.items.len()
+        self.n_examples
     }
 
     /// The settings of the run.
@@ -278,9 +285,15 @@ impl Trainer {
         model
     }
 
-    /// Visits of examples before the one at work.
+    /// Visits of examples before those of the command at work.
     fn visits(&self) -> f64 {
-        f64::from(self.epoch - 1) * self.items.len() as f64 + self.next as f64
+        f64::from(self.epoch - 1) * self.n_examples as f64 + self.seen() as f64
+    }
+
+    /// Examples of this epoch that were seen.
+    fn seen(&self) -> usize {
+        let done = self.order.iter().take(self.next);
+        done.map(|&at| self.items[at as usize].examples.len()).sum()
     }
 
     /// Does the next part; the progress when that ended an example.
@@ -289,36 +302,52 @@ impl Trainer {
             return None;
         }
         let at = *self.order.get(self.next)? as usize;
-        if let Phase::Generate(scope) = self.phase {
-            self.generate(at, scope);
+        if let Phase::Generate(example, scope) = self.phase {
+            self.generate(at, example, scope);
         }
-        let (judged, over_budget) = self.judge(at);
-        let explained = judged.iter().any(|reading| reading.valid);
-        if !explained && self.epoch <= self.config.generations {
-            let next = match self.phase {
-                Phase::Explain => Some(Scope::UnknownWords),
-                Phase::Generate(Scope::UnknownWords) => Some(Scope::AllWords),
-                Phase::Generate(Scope::AllWords) => None,
-            };
-            if let Some(scope) = next {
-                self.phase = Phase::Generate(scope);
-                return None;
-            }
+        let (readings, over_budget) = self.read(at);
+        let mut judged = Vec::with_capacity(self.items[at].examples.len());
+        for pairs in &self.items[at].examples {
+            let mut valid = |form| self.validator.valid(&self.model.grammar.terms, form, pairs);
+            judged.push(readings.iter().map(|&(form, _)| valid(form)).collect::<Vec<bool>>());
+        }
+        if self.epoch <= self.config.generations
+            && let Some(next) = self.next_generation(&judged)
+        {
+            self.phase = next;
+            return None;
         }
         self.phase = Phase::Explain;
-        let moment = self.visits();
-        let updated = update(&mut self.model.features, &judged, self.config.margin, moment);
-        self.so_far.over_budget += usize::from(over_budget);
-        self.so_far.valid += usize::from(explained);
-        self.so_far.updates += usize::from(updated);
+        for (moment, valid) in (self.visits() as u64..).zip(&judged) {
+            let moment = moment as f64;
+            let (features, margin) = (&mut self.model.features, self.config.margin);
+            let updated = update(features, &readings, valid, margin, moment);
+            self.so_far.over_budget += usize::from(over_budget);
+            self.so_far.valid += usize::from(valid.contains(&true));
+            self.so_far.updates += usize::from(updated);
+        }
         self.so_far.entries = self.model.lexicon.len();
         self.next += 1;
-        let progress = Progress { epoch: self.epoch, example: self.next, so_far: self.so_far };
+        let progress = Progress { epoch: self.epoch, example: self.seen(), so_far: self.so_far };
         if self.next == self.items.len() {
             self.model.facts.insert("valid".to_owned(), self.so_far.valid.to_string());
             self.begin_epoch();
         }
         Some(progress)
+    }
+
+    /// What to generate next: for an example without a valid reading unknown words first, then all.
+    fn next_generation(&self, judged: &[Vec<bool>]) -> Option<Phase> {
+        let is_open = |example: &usize| !judged[*example].contains(&true);
+        let first = match self.phase {
+            Phase::Generate(example, Scope::UnknownWords) if is_open(&example) => {
+                return Some(Phase::Generate(example, Scope::AllWords));
+            }
+            Phase::Generate(example, _) => example + 1,
+            Phase::Explain => 0,
+        };
+        let end = judged.len().min(MAX_GENERATIONS);
+        (first..end).find(is_open).map(|example| Phase::Generate(example, Scope::UnknownWords))
     }
 
     fn begin_epoch(&mut self) {
@@ -336,7 +365,7 @@ impl Trainer {
 
     /// Lexical generation for a sentence that the lexicon cannot explain: the candidates that the best valid parse
     /// uses become entries.
-    fn generate(&mut self, at: usize, scope: Scope) {
+    fn generate(&mut self, at: usize, example: usize, scope: Scope) {
         let words = &self.items[at].words;
         if !can_parse(words) {
             return;
@@ -346,9 +375,9 @@ impl Trainer {
         if generated.candidates.is_empty() {
             return;
         }
-        let parse = self.parse_with(at, &generated);
+        let parse = self.parse_with(at, example, &generated);
         let mut additions: Vec<Vec<EntryId>> = Vec::new();
-        for reading in self.best_valid(&parse, at) {
+        for reading in self.best_valid(&parse, at, example) {
             let derivation = parse.derivation(reading);
             let lexicon = &self.model.lexicon;
             let empty = derivation.absorbed().into_iter().filter_map(|at| generated.empty[at]);
@@ -367,8 +396,9 @@ impl Trainer {
 
     /// A parse with lexicon and candidates. Phrases that denote nothing before the demonstrations, and categories
     /// that lead nowhere, are left out.
-    fn parse_with(&mut self, at: usize, generated: &Generated) -> Parse {
-        let Item { words, pairs } = &self.items[at];
+    fn parse_with(&mut self, at: usize, example: usize, generated: &Generated) -> Parse {
+        let Item { words, examples } = &self.items[at];
+        let pairs = &examples[example];
         let mut items = lexical_items(&self.model, words);
         for &Candidate { start, end, entry } in &generated.candidates {
             let mut item = lexical_item(&self.model, entry, start, end);
@@ -391,15 +421,15 @@ impl Trainer {
     }
 
     /// The valid readings that no other valid reading outscores.
-    fn best_valid(&mut self, parse: &Parse, at: usize) -> Vec<crate::ccg::Reading> {
+    fn best_valid(&mut self, parse: &Parse, at: usize, example: usize) -> Vec<Reading> {
+        let pairs = &self.items[at].examples[example];
         let mut best = Vec::new();
         let mut bar = None;
         for (rank, reading) in parse.ranked() {
             if bar.is_some_and(|bar| rank < bar) {
                 break;
             }
-            if self.validator.valid(&self.model.grammar.terms, reading.form, &self.items[at].pairs)
-            {
+            if self.validator.valid(&self.model.grammar.terms, reading.form, pairs) {
                 bar = Some(rank);
                 best.push(reading);
             }
@@ -407,9 +437,9 @@ impl Trainer {
         best
     }
 
-    /// The readings that the lexicon alone gives, judged by the demonstrations; whether the chart is not whole.
-    fn judge(&mut self, at: usize) -> (Vec<Judged>, bool) {
-        let Item { words, pairs } = &self.items[at];
+    /// The goals that the lexicon alone reads, with their features; whether the chart is not whole.
+    fn read(&mut self, at: usize) -> (Vec<(TermId, Vector)>, bool) {
+        let words = &self.items[at].words;
         if !can_parse(words) {
             return (Vec::new(), false);
         }
@@ -419,14 +449,13 @@ impl Trainer {
         let empty = empty_entries(&self.model, words);
         let config = chart_config(self.config.beam, self.config.budget);
         let parse = fill(&mut self.model, words, items, |_, _, _| true, config);
-        let mut judged = Vec::with_capacity(parse.readings.len());
+        let mut readings = Vec::with_capacity(parse.readings.len());
         for &reading in &parse.readings {
-            let valid = self.validator.valid(&self.model.grammar.terms, reading.form, pairs);
-            let occurring =
-                parse.derivation(reading).features(&self.model, reading.form, words, &empty);
-            judged.push(Judged { features: self.model.features.vector(&occurring), valid });
+            let derivation = parse.derivation(reading);
+            let occurring = derivation.features(&self.model, reading.form, words, &empty);
+            readings.push((reading.form, self.model.features.vector(&occurring)));
         }
-        (judged, parse.over_budget())
+        (readings, parse.over_budget())
     }
 }
 
