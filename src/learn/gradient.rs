@@ -1,7 +1,7 @@
 //! The update of the weights after an example: a step along the gradient of the softmax-margin likelihood (Gimpel and
 //! Smith 2010) of the valid readings together, as validation leaves open which of them was meant (Artzi and
-//! Zettlemoyer 2013). An invalid reading counts the more, the higher it scores; METHOD's perceptron, whose update
-//! is the mean over all that violate the margin, stayed behind by six points on tasks never seen.
+//! Zettlemoyer 2013). An invalid reading counts the more, the higher it scores; their perceptron, whose update is
+//! the mean over all readings that violate a margin, stayed behind on tasks never seen (www/guide/learning.md).
 
 use crate::ccg::{Features, Vector};
 use crate::logic::TermId;

@@ -1,5 +1,5 @@
 //! Learning a parser from commands and the states before and after them: coarse lexical generation and the
-//! validation-driven perceptron (Artzi and Zettlemoyer 2013; Williams et al., Section IV-B). Never plans,
+//! validation-driven updates (Artzi and Zettlemoyer 2013; Williams et al., Section IV-B). Never plans,
 //! but in the baseline of `planning`.
 
 pub mod seed;
