@@ -15,6 +15,12 @@ use groundling::ccg::{Category, Grammar, MAX_WORDS, Model, Syntaxes, lexicon_tex
 use groundling::ground::ONTOLOGY;
 use groundling::logic::{Signature, Terms, print, read};
 
+/// What may be left unsaid.
+const SHIFTS: &str = r"
+shift PP=>N\N : (lambda $0:<e,t> (lambda $1:<e,t> (lambda $2:e (and:<t*,t> ($1 $2) ($0 $2)))))
+shift N=>NP : (lambda $0:<e,t> (the:<<e,t>,e> $0))
+";
+
 /// A lexicon in which most words can be several things, over the constants of Cleanup World.
 pub(crate) const AMBIGUOUS: &str = r"
 go    :- S/PP     : (lambda $0:<e,t> ($0 (the:<<e,t>,e> agent:<e,t>)))
@@ -37,12 +43,20 @@ not   :- S/S      : (lambda $0:t (not:<t,t> $0))
 red room :- NP    : (the:<<e,t>,e> (lambda $0:e (and:<t*,t> (red:<e,t> $0) (room:<e,t> $0))))
 ";
 
-/// A model of a lexicon over the constants of Cleanup World.
-pub(crate) fn model(lexicon: &str) -> Model {
-    let signature = Signature::read(ONTOLOGY).unwrap();
-    let mut model = Model { signature, ..Model::default() };
+/// A model of a lexicon over constants, with the shifts.
+pub(crate) fn model_over(constants: &str, lexicon: &str) -> Model {
+    let mut model = Model::default();
+    model.set_signature(Signature::read(constants).unwrap());
+    lexicon_text::read_lexicon(&mut model, SHIFTS).unwrap();
     lexicon_text::read_lexicon(&mut model, lexicon).unwrap();
     model
+}
+
+/// A model of a lexicon over the constants of Cleanup World, whose sorts nobody has said: there are more readings.
+pub(crate) fn model(lexicon: &str) -> Model {
+    let signature = Signature::read(ONTOLOGY).unwrap();
+    let constants: Vec<String> = signature.iter().map(|(name, ty)| format!("{name}:{ty}")).collect();
+    model_over(&constants.join("\n"), lexicon)
 }
 
 #[test]
@@ -56,7 +70,7 @@ fn neighbours_combine_as_the_table_says() {
         let rows = grammar.rows(left, right).to_vec();
         assert_eq!(grammar.rows(left, right), rows, "asked again");
         let text = |(rule, syntax): &(groundling::ccg::RuleId, _)| {
-            format!("{} {}", rule.name(), grammar.syntaxes.text(*syntax))
+            format!("{} {}", grammar.rule_name(*rule), grammar.syntaxes.text(*syntax))
         };
         let made: Vec<String> = rows.iter().map(text).collect();
         let made = if made.is_empty() { "-".to_owned() } else { made.join(", ") };
@@ -81,7 +95,7 @@ fn meanings_combine_with_the_words() {
             if let Some(meaning) = grammar.combine(rule, left.meaning, right.meaning, false) {
                 let category = Category { syntax, meaning };
                 let text = category.print(&grammar.syntaxes, &grammar.terms);
-                made.push(format!("{} {text}", rule.name()));
+                made.push(format!("{} {text}", grammar.rule_name(rule)));
             }
         }
         let made = if made.is_empty() { "-".to_owned() } else { made.join(", ") };
@@ -91,7 +105,7 @@ fn meanings_combine_with_the_words() {
 
 #[test]
 fn shifts_make_modifiers_of_prepositional_phrases_and_definites_of_bare_nouns() {
-    let mut grammar = Grammar::default();
+    let mut grammar = model("").grammar;
     for (from, expected) in [
         (
             "PP : (lambda $0:e (near:<e,<e,t>> $0 a:e))",
@@ -104,10 +118,11 @@ fn shifts_make_modifiers_of_prepositional_phrases_and_definites_of_bare_nouns() 
     ] {
         let category = category(&mut grammar, from);
         let shifted: Vec<String> = grammar
-            .shifts(category)
+            .shifted(category)
             .iter()
-            .map(|(rule, to)| {
-                format!("{} {}", rule.name(), to.print(&grammar.syntaxes, &grammar.terms))
+            .map(|&(rule, to)| {
+                let name = grammar.rule_name(rule);
+                format!("{name} {}", to.print(&grammar.syntaxes, &grammar.terms))
             })
             .collect();
         assert_eq!(shifted.join(", "), expected, "{from}");

@@ -1,14 +1,15 @@
-//! Learning: the paper's demonstration with six sentences, the perceptron by hand, runs that stop and go on, and
+//! Learning: the paper's demonstration with six sentences, the gradient by hand, runs that stop and go on, and
 //! corpora from which nothing can be learned.
 
 #[path = "learn/domain.rs"]
 mod domain;
+#[path = "learn/gradient.rs"]
+mod gradient;
 #[path = "learn/resume.rs"]
 mod resume;
 
-use groundling::ccg::{ChartConfig, Feature, Features, Model, RuleId, parse};
+use groundling::ccg::{ChartConfig, Model, parse};
 use groundling::corpus::{Corpus, Example, Form, Options, Pair, read};
-use groundling::learn::perceptron::{Judged, update};
 use groundling::learn::{
     Config, DEMONSTRATION_LEXICON, Evaluation, Progress, Score, Trainer, seed_model,
 };
@@ -146,58 +147,6 @@ fn a_run_without_examples_or_without_demonstrations_ends() {
     assert_eq!(last, None);
     let (other, _) = train(&[example("go to the green room", Vec::new())], &Config::default());
     assert_eq!(model.lexicon.len(), other.lexicon.len(), "what nothing shows is not believed");
-}
-
-/// Features of three kinds: one of scale 1, two of scale ½.
-const FEATURES: [Feature; 3] = [Feature::Skip, Feature::Rule(RuleId(0)), Feature::Rule(RuleId(1))];
-
-#[track_caller]
-fn weights_are(features: &Features, wanted: [f64; 3]) {
-    let weights: Vec<f64> = features.iter().map(|(_, weight, _)| weight).collect();
-    assert_eq!(weights, wanted);
-}
-
-#[test]
-fn the_perceptron_does_what_was_worked_out_by_hand() {
-    let mut features = Features::default();
-    features.vector(&FEATURES);
-    let [skip, first, second] = FEATURES;
-    let judged = [
-        Judged { features: features.vector(&[skip, first]), valid: true },
-        Judged { features: features.vector(&[second]), valid: false },
-    ];
-    // φᵥ = (1, ½, 0), φ_w = (0, 0, ½): the margin is 1 + ½ + ½ = 2.
-    assert_eq!(judged[0].features.l1_distance(&judged[1].features), 2.0);
-    assert!(update(&mut features, &judged, 1.0, 0.0), "0 − 0 < 2");
-    weights_are(&features, [1.0, 0.5, -0.5]);
-    assert!(update(&mut features, &judged, 1.0, 1.0), "1.25 − (−0.25) < 2");
-    weights_are(&features, [2.0, 1.0, -1.0]);
-    assert!(!update(&mut features, &judged, 1.0, 2.0), "2.5 − (−0.5) ≥ 2");
-    weights_are(&features, [2.0, 1.0, -1.0]);
-    assert_eq!(features.dot(&judged[0].features), 2.5);
-    // After four visits the weights were (1, 2, 2, 2) times the first update: 7/4 on average.
-    features.average(4.0);
-    weights_are(&features, [1.75, 0.875, -0.875]);
-}
-
-#[test]
-fn only_readings_that_violate_the_margin_move_the_weights() {
-    let mut features = Features::default();
-    features.vector(&FEATURES);
-    let [skip, first, second] = FEATURES;
-    features.set(first, 100.0);
-    let judged = [
-        Judged { features: features.vector(&[first]), valid: true },
-        Judged { features: features.vector(&[skip]), valid: true },
-        Judged { features: features.vector(&[second]), valid: false },
-        Judged { features: features.vector(&[second, second]), valid: false },
-    ];
-    assert!(update(&mut features, &judged, 1.0, 0.0));
-    // E⁺ is the second reading alone; E⁻ both invalid ones, ½ and 1 of the last feature: ¾ on average.
-    weights_are(&features, [1.0, 100.0, -0.75]);
-    let valid_alone = [Judged { features: features.vector(&[skip]), valid: true }];
-    assert!(!update(&mut features, &valid_alone, 1.0, 0.0), "nothing to tell apart");
-    assert!(!update(&mut features, &[], 1.0, 0.0));
 }
 
 #[test]

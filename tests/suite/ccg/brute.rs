@@ -28,7 +28,7 @@ pub(super) fn goals(
         if model.grammar.syntaxes.text(syntax) == "S"
             && model.grammar.terms.ty(meaning) == ty::TRUTH
         {
-            let root = root_features(&model.grammar.terms, meaning);
+            let root = root_features(&model.grammar.terms, &model.grammar.sorts, meaning);
             let score = root.iter().fold(found.score, |sum, &f| sum + model.features.value(f));
             let known = best.entry(print(&model.grammar.terms, meaning)).or_insert(score);
             *known = known.max(score);
@@ -46,6 +46,7 @@ fn derive(
     let items = lexical.iter().filter(|item| (item.start, item.end) == (start, end));
     let mut found: Vec<Derived> = items
         .map(|item| Derived { category: item.category, made: Made::Plainly, score: item.score })
+        .filter(|found| model.grammar.fits(found.category.meaning))
         .collect();
     for split in start + 1..end {
         let lefts = derive(model, lexical, (start, split), normal_form);
@@ -56,6 +57,7 @@ fn derive(
                 let meanings = (l.category.meaning, r.category.meaning);
                 let combined = model.grammar.combine(rule, meanings.0, meanings.1, false);
                 if let Some(meaning) = combined
+                    && model.grammar.fits(meaning)
                     && (!normal_form || rule.admits(l.made, r.made))
                 {
                     let own = model.features.value(Feature::Rule(rule));
@@ -67,7 +69,10 @@ fn derive(
         }
     }
     for base in found.clone() {
-        for (rule, category) in model.grammar.shifts(base.category) {
+        for (rule, category) in model.grammar.shifted(base.category) {
+            if !model.grammar.fits(category.meaning) {
+                continue;
+            }
             let score = base.score + model.features.value(Feature::Rule(rule));
             found.push(Derived { category, made: Made::ByShift, score });
         }

@@ -1,8 +1,9 @@
 //! The texts that people and programs write: seed lexicons and model files, read back whole, refused by line.
 
-use super::{AMBIGUOUS, model};
+use super::{AMBIGUOUS, model, model_over};
 use groundling::ccg::{ChartConfig, Feature, Model, RuleId, lexicon_text::read_lexicon, parse};
-use groundling::learn::{DEMONSTRATION_LEXICON, seed_model};
+use groundling::ground::ONTOLOGY;
+use groundling::learn::{CLEANUP_LEXICON, DEMONSTRATION_LEXICON, seed_model};
 use groundling::logic::print;
 
 #[test]
@@ -27,20 +28,24 @@ fn a_wrong_line_of_a_lexicon_is_named() {
 }
 
 #[test]
-fn a_seed_lexicon_has_the_reference_s_weights() {
+fn seed_entries_weigh_by_their_words_and_what_is_left_out_costs() {
     let model = model("red room :- N : room:<e,t>");
     let [entry] = model.lexicon.entries()[..] else { panic!("one entry") };
     let lexeme = model.lexicon.entry(entry).lexeme;
-    assert_eq!(model.features.value(Feature::Lexeme(lexeme)), 10.0);
+    assert_eq!(model.features.value(Feature::Lexeme(lexeme)), 3.0);
     let weight = model.features.value(Feature::Entry(entry));
-    assert!((weight - 21.435_469_250_725_863).abs() < 1e-12, "10 · 2^1.1 is not {weight}");
+    assert!((weight - 6.430_640_775_217_758).abs() < 1e-12, "3 · 2^1.1 is not {weight}");
     assert_eq!(model.features.value(Feature::Skip), -1.0);
+    assert_eq!(model.features.value(Feature::Dropped), -3.0);
 }
 
 /// A model with a line of every kind.
 fn whole() -> Model {
-    let lexicon = format!("frame agent:<e,t>\ncommutative near:<e,<e,t>>\n{AMBIGUOUS}");
-    let mut model = model(&lexicon);
+    let open = "* :- N : (lambda $0:e (and:<t*,t> (?adjective:<e,t> $0) (?noun:<e,t> $0) (room:<e,t> $0)))
+        * :- PP/NP : ?:<e,<e,t>>\n* :- EMPTY : true:t\nplease | now :- EMPTY : true:t";
+    let lexicon =
+        format!("frame agent:<e,t>\ncommutative near:<e,<e,t>>\n{AMBIGUOUS}\n{open}");
+    let mut model = model_over(ONTOLOGY, &lexicon);
     model.facts.insert("seed".to_owned(), "7".to_owned());
     let entry = model.lexicon.entries()[3];
     let template = model.lexicon.entry(entry).template;
@@ -50,6 +55,18 @@ fn whole() -> Model {
     let ty = model.grammar.terms.types.read("<e,<e,t>>").unwrap();
     let [near, inside] = ["near", "in"].map(|name| model.grammar.terms.constant(name, ty));
     model.features.set(Feature::Pair(inside, near), -123_456_789.123_456_79);
+    let ty = model.grammar.terms.types.read("<e,t>").unwrap();
+    let [red, room] = ["red", "room"].map(|name| model.grammar.terms.constant(name, ty));
+    let shift = model.grammar.rule_named("N=>NP").unwrap();
+    for (place, feature) in (1..).zip([
+        Feature::Rule(shift),
+        Feature::Conjoined(red, room),
+        Feature::Alone(room),
+        Feature::Head(inside, 1, room),
+        Feature::Heads(room, red),
+    ]) {
+        model.features.set(feature, 1.0 / f64::from(place));
+    }
     model
 }
 
@@ -71,7 +88,8 @@ const COMMANDS: [&str; 13] = [
 
 #[test]
 fn a_model_that_is_read_back_is_the_same() {
-    for model in [whole(), seed_model(DEMONSTRATION_LEXICON).unwrap(), Model::default()] {
+    let [small, large] = [DEMONSTRATION_LEXICON, CLEANUP_LEXICON].map(|text| seed_model(text).unwrap());
+    for model in [whole(), small, large, Model::default()] {
         let text = model.print();
         let mut again = Model::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
         assert_eq!(again.print(), text);
@@ -97,9 +115,17 @@ fn a_damaged_model_is_refused_by_line() {
     for (line, damaged, said) in [
         ("groundling model", "groundling model 2", "begins with \"groundling model 1\""),
         ("fact", "fact\tseed", "no line of a model begins with"),
-        ("constant\troom", "constant\troom:<e,t", "what follows the colon is not a type"),
-        ("constant\troom", "constant\troom", "a constant is name:type"),
-        ("constant\troom", "constant\tred:<e,t>\nconstant\tred:<e,t>", "has a type already"),
+        ("signature\troom", "signature\troom:<e,t", "what follows the colon is not a type"),
+        ("signature\troom", "signature\troom", "a constant is name:type"),
+        ("signature\troom", "signature\tred:<e,t>\nsignature\tred:<e,t>", "has a type already"),
+        ("signature\troom", "signature\troom:<e,t> hall", "after the type come sorts, joined by |"),
+        ("shift", "shift\tN=NP\t(lambda $0:e $0)", "a shift is called FROM=>TO"),
+        ("shift", "shift\tX=>NP\t(lambda $0:e $0)", "\"X\" is no syntactic category"),
+        ("open", "open\t99\t?", "there is no template 99"),
+        ("open", "open\t0\t? ? ?", "has not 3 holes"),
+        ("open", "open\t0\thall:<e,t>", "hall:<e,t> is not in the signature"),
+        ("weight\thead", "weight\thead\tin:<e,<e,t>>\tx\troom:<e,t>\t1", "\"x\" is no number"),
+        ("weight\tpair", "weight\tpair\tred:<e,t>\t1", "there is no feature"),
         ("frame", "frame\thall:<e,t>", "hall:<e,t> is not in the signature"),
         ("commutative", "commutative\tnear:e", "near:e is not in the signature"),
         ("template", "template\tX\t1\t(lambda $0:e $0)", "\"X\" is no category"),
