@@ -72,10 +72,10 @@ pub fn absorbing(items: Vec<Lexical>, costs: &[Option<f64>]) -> Vec<Lexical> {
         for (start, before) in starts {
             let mut score = item.score + before;
             all.push(Lexical { start, score, ..item });
-            for end in item.end..costs.len() {
-                let Some(cost) = costs[end] else { break };
+            for (end, cost) in (item.end + 1..).zip(&costs[item.end..]) {
+                let Some(cost) = cost else { break };
                 score += cost;
-                all.push(Lexical { start, end: end + 1, score, ..item });
+                all.push(Lexical { start, end, score, ..item });
             }
         }
     }

@@ -7,7 +7,7 @@ use super::features::Feature;
 use super::lexicon::{Hole, Origin};
 use super::model::Model;
 use super::sentence::words;
-use crate::logic::{ConstantId, TermId, read};
+use crate::logic::{ConstantId, read};
 
 /// The weight of a seed lexeme, and of a seed entry for each of its words (see [`seed_weight`]). The reference has 10,
 /// for another update of the weights: what counts is how far one step goes against it.
@@ -45,6 +45,14 @@ pub fn read_lexicon(model: &mut Model, text: &str) -> Result<(), LexiconError> {
 }
 
 fn read_line(model: &mut Model, line: &str) -> Result<(), String> {
+    let Some((phrase, category)) = line.split_once(":-") else {
+        return read_directive(model, line);
+    };
+    read_words(model, phrase, category)
+}
+
+/// A line that is not about words.
+fn read_directive(model: &mut Model, line: &str) -> Result<(), String> {
     if let Some(constant) = line.strip_prefix("frame ") {
         let constant = model.read_constant(constant.trim())?;
         model.lexicon.frame.push(constant);
@@ -60,14 +68,16 @@ fn read_line(model: &mut Model, line: &str) -> Result<(), String> {
             shift.split_once(" : ").ok_or("between a shift's name and meaning stands a colon")?;
         return model.read_shift(name.trim(), meaning.trim());
     }
-    let (phrase, category) =
-        line.split_once(":-").ok_or("a line is words :- CATEGORY : meaning")?;
+    Err("a line is words :- CATEGORY : meaning".to_owned())
+}
+
+fn read_words(model: &mut Model, phrase: &str, category: &str) -> Result<(), String> {
     let (syntax, meaning) =
         category.split_once(" : ").ok_or("between category and meaning stands a colon")?;
     let syntax_id = model.grammar.syntaxes.read(syntax.trim());
     let syntax = syntax_id.ok_or(format!("{:?} is no syntactic category", syntax.trim()))?;
     let meaning = read(&mut model.grammar.terms, meaning.trim()).map_err(|e| e.to_string())?;
-    check_constants(model, meaning)?;
+    model.check_constants(meaning)?;
     let category = Category { syntax, meaning };
     if phrase.trim() == "*" {
         let factored =
@@ -101,17 +111,4 @@ fn add_entry(model: &mut Model, phrase: &str, category: Category) -> Result<(), 
 /// The weight of a seed entry of so many words.
 pub fn seed_weight(n_words: usize) -> f64 {
     SEED * libm::pow(n_words as f64, 1.1)
-}
-
-/// Every constant must be in the signature with its type, or be a hole.
-fn check_constants(model: &mut Model, meaning: TermId) -> Result<(), String> {
-    for constant in model.grammar.terms.constants(meaning) {
-        let terms = &mut model.grammar.terms;
-        let (name, ty) = (terms.name(constant).to_owned(), terms.constant_ty(constant));
-        if !name.starts_with('?') && model.signature.ty(&mut terms.types, &name) != Some(ty) {
-            let ty = terms.types.print(ty);
-            return Err(format!("{name}:{ty} is not in the signature"));
-        }
-    }
-    Ok(())
 }

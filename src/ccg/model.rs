@@ -4,7 +4,7 @@
 use super::combinator::{Grammar, Shift};
 use super::features::{Feature, Features};
 use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
-use crate::logic::{ConstantId, Signature, Sorts, print, read};
+use crate::logic::{ConstantId, Signature, Sorts, TermId, print, read};
 use indexmap::IndexMap;
 
 /// The first line of a model file.
@@ -218,15 +218,24 @@ impl Model {
     /// # Errors
     /// In words, when a category or the meaning cannot be read, the name is taken, or there are too many.
     pub(super) fn read_shift(&mut self, name: &str, meaning: &str) -> Result<(), String> {
-        let Grammar { syntaxes, terms, shifts, .. } = &mut self.grammar;
+        let Grammar { syntaxes, shifts, .. } = &mut self.grammar;
         let (from, to) = name.split_once("=>").ok_or("a shift is called FROM=>TO")?;
         let to = to.split_whitespace().next().unwrap_or("");
         let mut syntax =
             |text: &str| syntaxes.read(text).ok_or(format!("{text:?} is no syntactic category"));
         let (from, to) = (syntax(from.trim())?, syntax(to)?);
-        let meaning = read(terms, meaning).map_err(|e| e.to_string())?;
         if shifts.len() == MAX_SHIFTS || shifts.iter().any(|shift| *shift.name == *name) {
             return Err(format!("there are {MAX_SHIFTS} shifts at most, each with its own name"));
+        }
+        let meaning = read(&mut self.grammar.terms, meaning).map_err(|e| e.to_string())?;
+        self.check_constants(meaning)?;
+        let Grammar { syntaxes, terms, shifts, .. } = &mut self.grammar;
+        if let [Some(from), Some(to)] = [from, to].map(|id| syntaxes.ty(&mut terms.types, id)) {
+            let (wanted, found) = (terms.types.function(from, to), terms.ty(meaning));
+            if wanted != found {
+                let [wanted, found] = [wanted, found].map(|ty| terms.types.print(ty));
+                return Err(format!("what {name} does has type {wanted}, not {found}"));
+            }
         }
         shifts.push(Shift { name: name.into(), from, to, meaning });
         Ok(())
@@ -252,6 +261,19 @@ impl Model {
         self.lexicon
             .add(&mut self.grammar, lexeme, template, origin)
             .map_err(|_| "the constants do not fit the template".to_owned())
+    }
+
+    /// Every constant must be in the signature with its type, or be a hole.
+    pub(super) fn check_constants(&mut self, meaning: TermId) -> Result<(), String> {
+        for constant in self.grammar.terms.constants(meaning) {
+            let terms = &mut self.grammar.terms;
+            let (name, ty) = (terms.name(constant).to_owned(), terms.constant_ty(constant));
+            if !name.starts_with('?') && self.signature.ty(&mut terms.types, &name) != Some(ty) {
+                let ty = terms.types.print(ty);
+                return Err(format!("{name}:{ty} is not in the signature"));
+            }
+        }
+        Ok(())
     }
 
     /// The constant that a text `name:type` names, which must be in the signature.

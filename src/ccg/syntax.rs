@@ -1,6 +1,7 @@
 //! Syntactic categories: atoms and slashes, interned, so that equal ids are equal categories. Text is
 //! left-associative: `S/PP/NP` is `(S/PP)/NP`, which looks for an NP to the right and then for a PP.
 
+use crate::logic::{TyId, Types, ty};
 use rustc_hash::FxHashMap;
 
 /// The id of an interned syntactic category.
@@ -131,6 +132,20 @@ impl Syntaxes {
     /// Whether the category is this atom.
     pub fn is(&self, id: SyntaxId, atom: Atom) -> bool {
         self.get(id) == Syntax::Atom(atom)
+    }
+
+    /// The type of what the category means; `None` where that is left open.
+    pub fn ty(&self, types: &mut Types, id: SyntaxId) -> Option<TyId> {
+        match self.get(id) {
+            Syntax::Atom(Atom::S) => Some(ty::TRUTH),
+            Syntax::Atom(Atom::NP) => Some(ty::ENTITY),
+            Syntax::Atom(Atom::N | Atom::PP) => Some(types.function(ty::ENTITY, ty::TRUTH)),
+            Syntax::Atom(Atom::AP | Atom::ADJ | Atom::EMPTY) => None,
+            Syntax::Slash { result, argument, .. } => {
+                let [argument, result] = [argument, result].map(|part| self.ty(types, part));
+                Some(types.function(argument?, result?))
+            }
+        }
     }
 
     fn intern(&mut self, syntax: Syntax) -> SyntaxId {

@@ -30,7 +30,7 @@ impl Sorts {
         if let Some(&known) = self.known.get(&term) {
             return known;
         }
-        let fits = self.check(terms, term, &mut Vec::new());
+        let fits = self.phrase(terms, term, &mut Vec::new()).is_some();
         self.known.insert(term, fits);
         fits
     }
@@ -55,9 +55,12 @@ impl Sorts {
                     Node::Constant(constant) => terms.name(constant),
                     _ => "",
                 };
-                // What is denied or one of several is no claim about the variables.
-                if name == "not" || name == "or" {
-                    return args.iter().all(|&arg| self.check(terms, arg, &mut around.clone()));
+                // What is denied, or one of several, is no claim about the variables.
+                if name == "not" {
+                    return true;
+                }
+                if name == "or" {
+                    return args.iter().any(|&arg| self.check(terms, arg, &mut around.clone()));
                 }
                 let sets = self.arguments.get(name);
                 args.iter().enumerate().all(|(at, &arg)| {

@@ -1,5 +1,7 @@
 //! The grammar: the rules table, words, factoring and categories as data; charts against brute force; model files.
 
+#[path = "ccg/absorb.rs"]
+mod absorb;
 #[path = "ccg/brute.rs"]
 mod brute;
 #[path = "ccg/chart.rs"]
@@ -55,7 +57,8 @@ pub(crate) fn model_over(constants: &str, lexicon: &str) -> Model {
 /// A model of a lexicon over the constants of Cleanup World, whose sorts nobody has said: there are more readings.
 pub(crate) fn model(lexicon: &str) -> Model {
     let signature = Signature::read(ONTOLOGY).unwrap();
-    let constants: Vec<String> = signature.iter().map(|(name, ty)| format!("{name}:{ty}")).collect();
+    let constants: Vec<String> =
+        signature.iter().map(|(name, ty)| format!("{name}:{ty}")).collect();
     model_over(&constants.join("\n"), lexicon)
 }
 

@@ -5,6 +5,8 @@
 mod domain;
 #[path = "learn/gradient.rs"]
 mod gradient;
+#[path = "learn/novelty.rs"]
+mod novelty;
 #[path = "learn/resume.rs"]
 mod resume;
 

@@ -7,6 +7,8 @@ mod hostile;
 mod properties;
 #[path = "logic/reference.rs"]
 mod reference;
+#[path = "logic/sorts.rs"]
+mod sorts;
 
 use groundling::logic::{Terms, print, print_human, read};
 

@@ -37,6 +37,16 @@ pub(super) fn goals(
     best
 }
 
+/// How many derivations in normal form the goals of a sentence have together.
+pub(super) fn derivations(model: &mut Model, n_words: usize, lexical: &[Lexical]) -> usize {
+    let found = derive(model, lexical, (0, n_words), true);
+    let is_goal = |found: &&Derived| {
+        let Category { syntax, meaning } = found.category;
+        model.grammar.syntaxes.text(syntax) == "S" && model.grammar.terms.ty(meaning) == ty::TRUTH
+    };
+    found.iter().filter(is_goal).count()
+}
+
 fn derive(
     model: &mut Model,
     lexical: &[Lexical],

@@ -19,12 +19,61 @@ fn a_wrong_line_of_a_lexicon_is_named() {
         ("room :- N : ?:<e,t>\n* :- N : hall:<e,t>", "line 2: hall:<e,t> is not in the signature"),
         ("frame hall:<e,t>", "line 1: hall:<e,t> is not in the signature"),
         ("frame room", "line 1: room is not in the signature"),
+        ("shift N=>NP", "line 1: between a shift's name and meaning stands a colon"),
+        ("shift N-NP : room:<e,t>", "line 1: a shift is called FROM=>TO"),
+        ("shift X=>NP : room:<e,t>", "line 1: \"X\" is no syntactic category"),
+        ("shift N=> : room:<e,t>", "line 1: \"\" is no syntactic category"),
+        (
+            "shift N=>NP : (lambda $0:<e,t> (the:<<e,t>,e> $0))",
+            "line 1: there are 64 shifts at most, each with its own name",
+        ),
+        (
+            "shift NP=>S in : (lambda $0:e (hall:<e,t> $0))",
+            "line 1: hall:<e,t> is not in the signature",
+        ),
+        (
+            "shift N=>PP in : the:<<e,t>,e>",
+            "line 1: what N=>PP in does has type <<e,t>,<e,t>>, not <<e,t>,e>",
+        ),
+        (
+            "shift NP=>S : (lambda $0:e $0",
+            "line 1: column 1: a bracket that opens here is never closed",
+        ),
         ("commutative near:<e,t>", "line 1: near:<e,t> is not in the signature"),
     ] {
         let mut model = model("");
         let error = read_lexicon(&mut model, text).unwrap_err();
         assert_eq!(error.to_string(), said, "{text}");
     }
+}
+
+#[test]
+fn a_lexicon_has_as_many_shifts_as_a_byte_can_number() {
+    let property = "(lambda $0:<e,t> $0)";
+    let shifts = |n: usize| -> String {
+        (0..n).map(|i| format!("shift PP=>N {i} : {property}\n")).collect()
+    };
+    assert_eq!(model(&shifts(62)).grammar.shifts.len(), 64, "two are there before");
+    let error = read_lexicon(&mut model(""), &shifts(63)).unwrap_err();
+    assert_eq!(error.to_string(), "line 63: there are 64 shifts at most, each with its own name");
+}
+
+#[test]
+fn what_a_shift_is_called_tells_what_may_be_left_unsaid() {
+    let unsaid = r"shift PP=>S : (lambda $0:<e,t> ($0 (the:<<e,t>,e> agent:<e,t>)))
+        shift | slide :- N : box:<e,t>";
+    let mut model = model(&format!("{AMBIGUOUS}\n{unsaid}"));
+    let last = model.grammar.rule_named("PP=>S").unwrap();
+    assert_eq!(model.grammar.rule_name(last), "PP=>S");
+    let parse = parse(&mut model, "in red room", ChartConfig::default());
+    let form = print(&model.grammar.terms, parse.answer().unwrap().form);
+    assert!(
+        form.starts_with("(in:<e,<e,t>> (the:<<e,t>,e> (lambda $0:e (agent:<e,t> $0)))"),
+        "{form}"
+    );
+    let drawn = parse.derivation(parse.readings[0]).print(&model, &parse.words);
+    assert!(drawn.contains("N=>NP") && drawn.contains("PP=>S"), "{drawn}");
+    assert!(model.lexicon.knows("shift"), "a word may be called as a line is");
 }
 
 #[test]
@@ -41,10 +90,10 @@ fn seed_entries_weigh_by_their_words_and_what_is_left_out_costs() {
 
 /// A model with a line of every kind.
 fn whole() -> Model {
-    let open = "* :- N : (lambda $0:e (and:<t*,t> (?adjective:<e,t> $0) (?noun:<e,t> $0) (room:<e,t> $0)))
+    let open =
+        "* :- N : (lambda $0:e (and:<t*,t> (?adjective:<e,t> $0) (?noun:<e,t> $0) (room:<e,t> $0)))
         * :- PP/NP : ?:<e,<e,t>>\n* :- EMPTY : true:t\nplease | now :- EMPTY : true:t";
-    let lexicon =
-        format!("frame agent:<e,t>\ncommutative near:<e,<e,t>>\n{AMBIGUOUS}\n{open}");
+    let lexicon = format!("frame agent:<e,t>\ncommutative near:<e,<e,t>>\n{AMBIGUOUS}\n{open}");
     let mut model = model_over(ONTOLOGY, &lexicon);
     model.facts.insert("seed".to_owned(), "7".to_owned());
     let entry = model.lexicon.entries()[3];
@@ -88,7 +137,8 @@ const COMMANDS: [&str; 13] = [
 
 #[test]
 fn a_model_that_is_read_back_is_the_same() {
-    let [small, large] = [DEMONSTRATION_LEXICON, CLEANUP_LEXICON].map(|text| seed_model(text).unwrap());
+    let [small, large] =
+        [DEMONSTRATION_LEXICON, CLEANUP_LEXICON].map(|text| seed_model(text).unwrap());
     for model in [whole(), small, large, Model::default()] {
         let text = model.print();
         let mut again = Model::read(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
