@@ -3,6 +3,8 @@
 
 #[path = "learn/domain.rs"]
 mod domain;
+#[path = "learn/garbage.rs"]
+mod garbage;
 #[path = "learn/gradient.rs"]
 mod gradient;
 #[path = "learn/novelty.rs"]

@@ -1,12 +1,27 @@
 //! The update of the weights, worked out by hand and as it must be for any readings.
 
 use groundling::ccg::{Feature, Features, RuleId, Vector};
-use groundling::learn::gradient::{Judged, update};
+use groundling::learn::gradient;
+use groundling::logic::{Terms, read};
 use proptest::prelude::{Strategy, any, prop};
 use proptest::{prop_assert, prop_assert_eq, proptest};
 
 /// Features of two kinds: one of scale 1, two of scale ½.
 const FEATURES: [Feature; 3] = [Feature::Skip, Feature::Rule(RuleId(0)), Feature::Rule(RuleId(1))];
+
+/// A reading's features and whether it is valid.
+struct Judged {
+    features: Vector,
+    valid: bool,
+}
+
+/// The update by readings whose goals do not matter.
+fn update(features: &mut Features, judged: &[Judged], margin: f64, moment: f64) -> bool {
+    let form = read(&mut Terms::new(), "true:t").unwrap();
+    let readings: Vec<_> = judged.iter().map(|reading| (form, reading.features.clone())).collect();
+    let valid: Vec<bool> = judged.iter().map(|reading| reading.valid).collect();
+    gradient::update(features, &readings, &valid, margin, moment)
+}
 
 fn weights(features: &Features) -> Vec<f64> {
     features.iter().map(|(_, weight, _)| weight).collect()
