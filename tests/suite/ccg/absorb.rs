@@ -9,7 +9,6 @@ use groundling::ccg::{ChartConfig, Feature, Lexical, Model, Reason, parse, words
 use groundling::ground::ONTOLOGY;
 use groundling::logic::print;
 use proptest::prelude::{Strategy, prop};
-use proptest::test_runner::Config;
 use proptest::{prop_assert, proptest};
 use std::collections::BTreeMap;
 
@@ -74,8 +73,6 @@ fn agree(command: &str) -> usize {
 }
 
 proptest! {
-    #![proptest_config(Config { cases: 60, ..Config::default() })]
-
     #[test]
     fn to_absorb_a_word_is_to_leave_it_out(command in sentences()) {
         agree(&command);

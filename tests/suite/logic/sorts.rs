@@ -7,7 +7,6 @@ use groundling::ground::{Goal, ONTOLOGY};
 use groundling::logic::ty::Types;
 use groundling::logic::{Signature, Sorts, Terms, read};
 use proptest::prelude::{any, prop};
-use proptest::test_runner::Config;
 use proptest::{prop_assert, proptest};
 
 fn sorts() -> Sorts {
@@ -126,6 +125,19 @@ impl Drawing {
     }
 }
 
+#[test]
+fn drawn_goals_are_of_both_kinds() {
+    let (mut sorts, mut terms) = (sorts(), Terms::new());
+    let drawn = (0..200_u32).filter_map(|seed| {
+        let choices: Vec<u8> = (1..30).map(|i| (seed * i + i * i / 3) as u8).collect();
+        let term = read(&mut terms, &Drawing(choices.into_iter()).claim(0, 4)).ok()?;
+        Some(sorts.fit(&terms, term))
+    });
+    let drawn: Vec<bool> = drawn.collect();
+    let fit = drawn.iter().filter(|&&fits| fits).count();
+    assert!(drawn.len() > 150 && fit > 20 && drawn.len() - fit > 20, "{fit} of {}", drawn.len());
+}
+
 /// A world, and one of the same things at other places.
 fn worlds(seed: u64) -> [State; 2] {
     let world = generate(&Plan::default(), seed);
@@ -143,8 +155,6 @@ fn worlds(seed: u64) -> [State; 2] {
 }
 
 proptest! {
-    #![proptest_config(Config { cases: 400, ..Config::default() })]
-
     #[test]
     fn what_does_not_fit_is_true_in_no_world(
         choices in prop::collection::vec(any::<u8>(), 4..40), seeds in prop::collection::vec(any::<u64>(), 3),
