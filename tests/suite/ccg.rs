@@ -10,6 +10,8 @@ mod chart;
 mod files;
 #[path = "ccg/normal.rs"]
 mod normal;
+#[path = "ccg/spelling.rs"]
+mod spelling;
 
 use crate::logic::cases;
 use groundling::ccg::factor::{factor, instantiate};
