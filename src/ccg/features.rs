@@ -95,6 +95,11 @@ impl Features {
         self.index.get(&feature).map_or(0.0, |&id| self.weights[id.0 as usize] * feature.scale())
     }
 
+    /// The weight of a feature, 0 for one never seen.
+    pub fn weight(&self, feature: Feature) -> f64 {
+        self.index.get(&feature).map_or(0.0, |&id| self.weights[id.0 as usize])
+    }
+
     /// Sets a weight.
     pub fn set(&mut self, feature: Feature, weight: f64) {
         let id = self.intern(feature);
@@ -109,7 +114,18 @@ impl Features {
 
     /// θ += `by` · φ, at a moment counted from 0.
     pub fn add(&mut self, vector: &Vector, by: f64, moment: f64) {
-        for (id, value) in vector.iter() {
+        self.add_where(vector, by, moment, |_| true);
+    }
+
+    /// The same for those features alone that `moves` holds of.
+    pub fn add_where(
+        &mut self,
+        vector: &Vector,
+        by: f64,
+        moment: f64,
+        moves: impl Fn(Feature) -> bool,
+    ) {
+        for (id, value) in vector.iter().filter(|(id, _)| moves(self.keys[id.0 as usize])) {
             self.weights[id.0 as usize] += by * value;
             self.drifts[id.0 as usize] += moment * by * value;
         }

@@ -16,11 +16,13 @@ pub mod absorb;
 mod spelling;
 pub mod parse;
 pub mod derivation;
+pub mod explain;
 
 pub use category::Category;
 pub use chart::{Chart, ChartConfig, Lexical};
 pub use combinator::{Grammar, RULES, RuleId, Shift};
 pub use derivation::Derivation;
+pub use explain::{EntryText, Explanation, Part};
 pub use features::{Feature, FeatureId, Features, Vector};
 pub use lexicon::{EntryId, Hole, LexemeId, Lexicon, Origin, TemplateId};
 pub use model::Model;

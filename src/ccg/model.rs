@@ -326,7 +326,7 @@ impl Model {
     }
 
     /// A feature as a model file has it.
-    fn feature_text(&self, feature: Feature) -> String {
+    pub(super) fn feature_text(&self, feature: Feature) -> String {
         match feature {
             Feature::Lexeme(id) => {
                 let lexeme = self.lexicon.lexeme(id);

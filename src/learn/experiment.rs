@@ -1,12 +1,13 @@
 //! Experiments: runs of training and judging that do not depend on each other, each a pure function of corpora,
 //! seed lexicon and settings, pumped in bounded steps. Whoever owns threads may run them side by side.
 
+use super::config::Config;
 use super::evaluate::Judge;
 use super::paper;
 use super::planning::{PlannerCost, Planning};
 use super::report::Report;
 use super::score::Scores;
-use super::trainer::{Config, Epoch, Progress, Trainer};
+use super::trainer::{Epoch, Progress, Trainer};
 use crate::ccg::{ChartConfig, Model, words};
 use crate::corpus::{Example, Fold, folds};
 use serde::{Deserialize, Serialize};

@@ -3,7 +3,7 @@
 //! Zettlemoyer 2013). An invalid reading counts the more, the higher it scores; their perceptron, whose update is
 //! the mean over all readings that violate a margin, stayed behind on tasks never seen (www/guide/learning.md).
 
-use crate::ccg::{Features, Vector};
+use crate::ccg::{Feature, Features, Vector};
 use crate::logic::TermId;
 
 /// How far a step goes.
@@ -21,6 +21,17 @@ pub fn update(
     margin: f64,
     moment: f64,
 ) -> bool {
+    update_where(features, readings, valid, (margin, moment), |_| true)
+}
+
+/// The same step for those weights alone that `moves` lets move; margin and moment.
+pub fn update_where(
+    features: &mut Features,
+    readings: &[(TermId, Vector)],
+    valid: &[bool],
+    (margin, moment): (f64, f64),
+    moves: impl Fn(Feature) -> bool,
+) -> bool {
     let score = |((_, vector), &valid): (&(TermId, Vector), &bool)| {
         features.dot(vector) + if valid { 0.0 } else { margin }
     };
@@ -33,7 +44,7 @@ pub fn update(
     for (((_, vector), share), share_of_valid) in readings.iter().zip(shares).zip(shares_of_valid) {
         let by = RATE * (share_of_valid - share);
         if by.abs() > LEAST {
-            features.add(vector, by, moment);
+            features.add_where(vector, by, moment, &moves);
         }
     }
     true

@@ -1,6 +1,7 @@
 //! Training as a resumable walk over epochs and examples: generate candidates, keep those of the best valid
 //! parses, update the weights (after Artzi and Zettlemoyer 2013). A function of corpus, settings and seed alone.
 
+use super::config::Config;
 use super::genlex::{Candidate, Generated, Scope, generate};
 use super::gradient::update;
 use super::planning::{PlannerCost, Planning, Validation};
@@ -8,8 +9,8 @@ use crate::ccg::absorb::{Leniency, absorbing, absorption, absorption_of, empty_e
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
 use crate::ccg::{
-    Atom, Category, Derivation, EntryId, Grammar, MAX_WORDS, Model, Origin, Reading, Vector, heard,
-    words,
+    Atom, Category, Derivation, EntryId, Features, Grammar, MAX_WORDS, Model, Origin, Reading,
+    Vector, heard, words,
 };
 use crate::corpus::Example;
 use crate::ground::PairId;
@@ -18,66 +19,6 @@ use indexmap::IndexMap;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use rustc_hash::FxBuildHasher;
-
-/// The settings of a training run; the default is the paper's.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Config {
-    /// Passes over the corpus.
-    pub epochs: u32,
-    /// Edges kept per span when parsing.
-    pub beam: u32,
-    /// Edges kept per span when generating lexical entries.
-    pub lexical_beam: u32,
-    /// Pairs of each example that are looked at, from the first; all when `None`.
-    pub demonstrations: Option<u32>,
-    /// By how much a valid reading is to outscore an invalid one.
-    pub margin: f64,
-    /// The seed of the order of examples, which is another in each epoch: corpora come sorted by task.
-    pub seed: u32,
-    /// Derivations tried in a chart.
-    pub budget: usize,
-    /// Derivations tried in each chart of lexical generation: what is longer is not learned from.
-    pub lexical_budget: usize,
-    /// Epochs, from the first, in which entries are generated for sentences that the lexicon cannot explain.
-    pub generations: u32,
-    /// The planner that the paper's Table III compares against; `None` learns as the paper does.
-    pub planning: Option<Planning>,
-}
-
-impl Default for Config {
-    fn default() -> Self {
-        Config {
-            epochs: 15,
-            beam: 150,
-            lexical_beam: 75,
-            demonstrations: None,
-            margin: 2.0,
-            seed: 0,
-            budget: ChartConfig::default().budget,
-            lexical_budget: 20_000,
-            generations: 2,
-            planning: None,
-        }
-    }
-}
-
-impl Config {
-    /// The settings as facts of a model file.
-    fn facts(&self) -> [(&'static str, String); 9] {
-        let demonstrations = self.demonstrations.map_or("all".to_owned(), |n| n.to_string());
-        [
-            ("epochs", self.epochs.to_string()),
-            ("beam", self.beam.to_string()),
-            ("lexical_beam", self.lexical_beam.to_string()),
-            ("demonstrations", demonstrations),
-            ("margin", self.margin.to_string()),
-            ("seed", self.seed.to_string()),
-            ("budget", self.budget.to_string()),
-            ("lexical_budget", self.lexical_budget.to_string()),
-            ("generations", self.generations.to_string()),
-        ]
-    }
-}
 
 /// How far training is, after an example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,11 +63,27 @@ const MAX_GENERATIONS: usize = 2;
 
 /// What is done next with the command at work.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Phase {
+pub(super) enum Phase {
     /// It is parsed with the lexicon; valid parses, or none to be hoped for, lead to the updates.
     Explain,
     /// New entries are generated first, for one of its examples.
     Generate(usize, Scope),
+}
+
+impl Phase {
+    /// What to generate next: for an example without a valid reading unknown words first, then all.
+    pub(super) fn next(self, judged: &[Vec<bool>]) -> Option<Phase> {
+        let is_open = |example: &usize| !judged[*example].contains(&true);
+        let first = match self {
+            Phase::Generate(example, Scope::UnknownWords) if is_open(&example) => {
+                return Some(Phase::Generate(example, Scope::AllWords));
+            }
+            Phase::Generate(example, _) => example + 1,
+            Phase::Explain => 0,
+        };
+        let end = judged.len().min(MAX_GENERATIONS);
+        (first..end).find(is_open).map(|example| Phase::Generate(example, Scope::UnknownWords))
+    }
 }
 
 /// Why a run cannot go on from a checkpoint.
@@ -285,6 +242,21 @@ impl Trainer {
         model
     }
 
+    /// Distinct commands.
+    pub(super) fn n_commands(&self) -> usize {
+        self.items.len()
+    }
+
+    /// The weights.
+    pub(super) fn features_mut(&mut self) -> &mut Features {
+        &mut self.model.features
+    }
+
+    /// The model as it is now.
+    pub(super) fn into_model(self) -> Model {
+        self.model
+    }
+
     /// Visits of examples before those of the command at work.
     fn visits(&self) -> f64 {
         f64::from(self.epoch - 1) * self.n_examples as f64 + self.seen() as f64
@@ -306,13 +278,9 @@ impl Trainer {
             self.generate(at, example, scope);
         }
         let (readings, over_budget) = self.read(at);
-        let mut judged = Vec::with_capacity(self.items[at].examples.len());
-        for pairs in &self.items[at].examples {
-            let mut valid = |form| self.validator.valid(&self.model.grammar.terms, form, pairs);
-            judged.push(readings.iter().map(|&(form, _)| valid(form)).collect::<Vec<bool>>());
-        }
+        let judged = self.judge(at, &readings);
         if self.epoch <= self.config.generations
-            && let Some(next) = self.next_generation(&judged)
+            && let Some(next) = self.phase.next(&judged)
         {
             self.phase = next;
             return None;
@@ -336,20 +304,6 @@ impl Trainer {
         Some(progress)
     }
 
-    /// What to generate next: for an example without a valid reading unknown words first, then all.
-    fn next_generation(&self, judged: &[Vec<bool>]) -> Option<Phase> {
-        let is_open = |example: &usize| !judged[*example].contains(&true);
-        let first = match self.phase {
-            Phase::Generate(example, Scope::UnknownWords) if is_open(&example) => {
-                return Some(Phase::Generate(example, Scope::AllWords));
-            }
-            Phase::Generate(example, _) => example + 1,
-            Phase::Explain => 0,
-        };
-        let end = judged.len().min(MAX_GENERATIONS);
-        (first..end).find(is_open).map(|example| Phase::Generate(example, Scope::UnknownWords))
-    }
-
     fn begin_epoch(&mut self) {
         self.epoch += 1;
         self.next = 0;
@@ -365,7 +319,7 @@ impl Trainer {
 
     /// Lexical generation for a sentence that the lexicon cannot explain: the candidates that the best valid parse
     /// uses become entries.
-    fn generate(&mut self, at: usize, example: usize, scope: Scope) {
+    pub(super) fn generate(&mut self, at: usize, example: usize, scope: Scope) {
         let words = &self.items[at].words;
         if !can_parse(words) {
             return;
@@ -437,8 +391,18 @@ impl Trainer {
         best
     }
 
+    /// For each example of a command which of its readings are valid.
+    pub(super) fn judge(&mut self, at: usize, readings: &[(TermId, Vector)]) -> Vec<Vec<bool>> {
+        let mut judged = Vec::with_capacity(self.items[at].examples.len());
+        for pairs in &self.items[at].examples {
+            let mut valid = |form| self.validator.valid(&self.model.grammar.terms, form, pairs);
+            judged.push(readings.iter().map(|&(form, _)| valid(form)).collect());
+        }
+        judged
+    }
+
     /// The goals that the lexicon alone reads, with their features; whether the chart is not whole.
-    fn read(&mut self, at: usize) -> (Vec<(TermId, Vector)>, bool) {
+    pub(super) fn read(&mut self, at: usize) -> (Vec<(TermId, Vector)>, bool) {
         let words = &self.items[at].words;
         if !can_parse(words) {
             return (Vec::new(), false);

@@ -10,8 +10,8 @@ use super::world::World;
 use super::{describe, why};
 use crate::domain::State as WorldState;
 use crate::worker::protocol::{
-    Answer, Envelope, Event, PlanText, Problem, Progress, Request, TrainReport, TrainSettings,
-    VERSION,
+    Answer, Envelope, Event, PlanText, Problem, Progress, Request, SeedLexicon, TrainReport,
+    TrainSettings, VERSION,
 };
 use std::rc::Rc;
 
@@ -177,7 +177,9 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
                 state.model_notice = None;
                 state.progress = None;
                 state.say("Training has begun.");
-                state.engine.send(Request::Train { settings: SETTINGS }, true, &mut effects);
+                let is_demo = state.corpus.as_ref().is_some_and(Corpus::is_demo);
+                let train = Request::Train { lexicon: lexicon(is_demo), settings: SETTINGS };
+                state.engine.send(train, true, &mut effects);
             }
         }
         Action::CancelTraining => cancel_training(state, &mut effects),
@@ -226,6 +228,11 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         }
     }
     effects
+}
+
+/// The page's own sentences are there to show that nouns and verbs are learned.
+fn lexicon(is_demo: bool) -> SeedLexicon {
+    if is_demo { SeedLexicon::Demonstration } else { SeedLexicon::Domain }
 }
 
 fn read_corpus(state: &mut State, name: String, text: String, effects: &mut Vec<Effect>) {
@@ -377,9 +384,15 @@ fn refused(state: &mut State, request: Request, message: String) {
         Request::ReadCorpus { .. } => {
             state.file_notice = Some(FileNotice { message, problems: Vec::new() });
         }
-        Request::Train { .. } | Request::OpenModel { .. } => state.model_notice = Some(message),
+        Request::Train { .. } | Request::Teach { .. } | Request::OpenModel { .. } => {
+            state.model_notice = Some(message)
+        }
         Request::Ask { .. } => state.ask_notice = Some(message),
-        Request::ShowRow { .. } | Request::Experiment { .. } | Request::Ping | Request::Cancel => {}
+        Request::ShowRow { .. }
+        | Request::Explain { .. }
+        | Request::Experiment { .. }
+        | Request::Ping
+        | Request::Cancel => {}
     }
 }
 

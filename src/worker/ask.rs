@@ -1,7 +1,7 @@
 //! A command on its way from words to a plan: parse, ground, search, each in steps.
 
 use super::protocol::{Answer, PlanText, Reading};
-use crate::ccg::{ChartConfig, Model, Parse, parse};
+use crate::ccg::{self, ChartConfig, Explanation, Model, Parse, parse};
 use crate::domain::{Action, Packed, Rules, State};
 use crate::ground::{Goal, Task, TaskError, explain};
 use crate::logic::{print, print_human};
@@ -70,9 +70,8 @@ impl Asking {
 
     /// Everything but the plan.
     fn answer(&self, model: &Model, parse: &Parse) -> Answer {
-        let shown = parse.readings.iter().take(MAX_READINGS.max(parse.tied()));
         let unknown = parse.words.iter().filter(|word| !model.lexicon.knows(word));
-        let readings = shown.map(|&reading| {
+        let readings = shown(parse).map(|reading| {
             let terms = &model.grammar.terms;
             let failures = match explain(terms, reading.form, &self.state) {
                 Ok(found) => found.into_iter().map(|failure| failure.sentence).collect(),
@@ -81,7 +80,7 @@ impl Asking {
             Reading {
                 form: print(terms, reading.form),
                 human: print_human(terms, reading.form),
-                score: reading.score,
+                score: Explanation::of(model, parse, reading).score,
                 derivation: parse.derivation(reading).print(model, &parse.words),
                 failures,
             }
@@ -96,6 +95,17 @@ impl Asking {
             plan: None,
         }
     }
+}
+
+/// The readings that an answer shows.
+fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
+    parse.readings.iter().take(MAX_READINGS.max(parse.tied())).copied()
+}
+
+/// What the scores of the readings that an answer shows are made of.
+pub(super) fn explanations(model: &mut Model, command: &str) -> Vec<Explanation> {
+    let parse = parse(model, command, ChartConfig::of(model));
+    shown(&parse).map(|reading| Explanation::of(model, &parse, reading)).collect()
 }
 
 fn plan(start: &State, search: &AStar<Task>, outcome: Outcome<Packed, Action>) -> PlanText {

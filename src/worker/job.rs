@@ -1,20 +1,24 @@
 //! The engine: what it keeps (a corpus, a model) and the one job at work. A job is pumped step by step by whoever
 //! owns the engine: the page's worker, tests and benches alike; a step does a bounded amount of work.
 
-use super::ask::Asking;
+use super::ask::{Asking, explanations};
 use super::experiment::Experimenting;
 use super::protocol::{
-    CorpusReport, Event, PairText, Problem, Progress, Request, RowSummary, TrainReport,
-    TrainSettings,
+    CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Problem, Progress, Request, RowSummary,
+    SeedLexicon, TeachReport, TrainReport, TrainSettings,
 };
-use crate::ccg::Model;
-use crate::corpus::{Corpus, Flaw, Form, Options, Rows};
-use crate::learn::{self, Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
+use crate::ccg::{EntryText, Model};
+use crate::corpus::{Corpus, Example, Flaw, Form, Options, Pair, Rows};
+use crate::learn::{
+    self, CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Taught, Teaching, Trainer, seed_model,
+};
 use std::collections::VecDeque;
 use std::io::Cursor;
 
 /// Rows that a step reads.
 pub(super) const ROWS_A_STEP: usize = 4;
+
+const NO_MODEL: &str = "There is no model yet: train one, or open a model file.";
 
 /// Work in parts. Every [`Engine::step`] does a bounded part; the job is over when it returns a last event.
 enum Job {
@@ -24,6 +28,8 @@ enum Job {
     Read { name: String, rows: Box<Rows<Cursor<Vec<u8>>>>, corpus: Corpus, flaws: Vec<Flaw> },
     /// A parser is learned.
     Train(Box<Trainer>),
+    /// A parser is taught something besides.
+    Teach(Box<Teaching>),
     /// A command is answered.
     Ask(Box<Asking>),
     /// An experiment is run.
@@ -55,11 +61,16 @@ impl Engine {
         let job = match request {
             Request::ReadCorpus { name, text } => read_corpus(name, text),
             Request::ShowRow { row } => Job::Say(self.show_row(row)),
-            Request::Train { settings } => self.train(&settings),
+            Request::Train { lexicon, settings } => self.train(lexicon, &settings),
+            Request::Teach { examples } => self.teach(examples),
             Request::OpenModel { text } => Job::Say(self.open_model(text)),
             Request::Ask { command, state, pull } => match &self.model {
                 Some(_) => Job::Ask(Box::new(Asking::new(command, state, pull))),
-                None => refuse("There is no model yet: train one, or open a model file."),
+                None => refuse(NO_MODEL),
+            },
+            Request::Explain { command } => match &mut self.model {
+                Some(model) => Job::Say(Event::Explained(explanations(model, &command))),
+                None => refuse(NO_MODEL),
             },
             Request::Experiment { experiment, settings } => {
                 let config = self.config(&settings);
@@ -114,6 +125,13 @@ impl Engine {
                 }
                 (said, Some(Job::Train(trainer)))
             }
+            Job::Teach(mut teaching) => {
+                if teaching.is_done() {
+                    return (Some(self.keep_taught(teaching.end())), None);
+                }
+                teaching.step();
+                (None, Some(Job::Teach(teaching)))
+            }
             Job::Ask(mut asking) => match &mut self.model {
                 Some(model) => match asking.step(model) {
                     Some(Ok(answer)) => (Some(Event::Answer(Box::new(answer))), None),
@@ -159,15 +177,43 @@ impl Engine {
         }
     }
 
-    fn train(&self, settings: &TrainSettings) -> Job {
+    fn train(&self, lexicon: SeedLexicon, settings: &TrainSettings) -> Job {
         let config = match self.config(settings) {
             Ok(config) => config,
             Err(message) => return refuse(&message),
         };
-        match seed_model(DEMONSTRATION_LEXICON) {
+        let lexicon = match lexicon {
+            SeedLexicon::Demonstration => DEMONSTRATION_LEXICON,
+            SeedLexicon::Domain => CLEANUP_LEXICON,
+        };
+        match seed_model(lexicon) {
             Ok(seed) => Job::Train(Box::new(Trainer::new(seed, &self.corpus.examples, config))),
             Err(error) => refuse(&format!("The seed lexicon cannot be read: {error}.")),
         }
+    }
+
+    fn teach(&self, lessons: Vec<Lesson>) -> Job {
+        let Some(model) = self.model.clone() else { return refuse(NO_MODEL) };
+        if lessons.is_empty() || lessons.len() > MOST_TAUGHT {
+            return refuse(&format!("Teach between 1 and {MOST_TAUGHT} commands at once."));
+        }
+        if let Some(bare) = lessons.iter().find(|lesson| lesson.pairs.is_empty()) {
+            return refuse(&format!("Show what to do when one says {:?}.", bare.command));
+        }
+        let examples: Vec<Example> = lessons.into_iter().map(example).collect();
+        let config = Config { demonstrations: None, ..Config::of(&model) };
+        match Teaching::new(model, &examples, config) {
+            Ok(teaching) => Job::Teach(Box::new(teaching)),
+            Err(error) => refuse(&format!("The model cannot be taught: {error}.")),
+        }
+    }
+
+    fn keep_taught(&mut self, taught: Taught) -> Event {
+        let Taught { model, entries, understood } = taught;
+        let added = entries.into_iter().map(|id| EntryText::of(&model, id)).collect();
+        let report = train_report(&model, model.print());
+        self.model = Some(model);
+        Event::Taught(Box::new(TeachReport { model: report, added, understood }))
     }
 
     /// The settings of a run on the corpus that is kept, or why there can be none.
@@ -229,6 +275,19 @@ fn read_corpus(name: String, text: String) -> Job {
             rejected: 0,
             problems: vec![problem(flaw)],
         })),
+    }
+}
+
+fn example(lesson: Lesson) -> Example {
+    let pairs = lesson.pairs.into_iter().map(|PairText { pre, post }| Pair { pre, post });
+    Example {
+        id: "taught".to_owned(),
+        line: 0,
+        command: lesson.command,
+        task: None,
+        worker: None,
+        pairs: pairs.collect(),
+        rest: Vec::new(),
     }
 }
 

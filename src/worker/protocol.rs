@@ -2,12 +2,13 @@
 //! the protocol's version; no id of an arena crosses (invariant 6), only text and plain data. A body is its
 //! kind's name, or `{kind: content}`: a tag inside the content would cost both programs a tenth of their size.
 
+use crate::ccg::{EntryText, Explanation};
 use crate::domain::State;
 use crate::learn::experiment::By;
 use serde::{Deserialize, Serialize};
 
 /// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -38,8 +39,15 @@ pub enum Request {
     },
     /// Trains on the corpus that is kept → [`Event::Progress`] after every example, then [`Event::Trained`].
     Train {
+        /// What is known beforehand.
+        lexicon: SeedLexicon,
         /// What differs from the paper's settings.
         settings: TrainSettings,
+    },
+    /// Teaches the model a few examples besides, of which each has a demonstration → [`Event::Taught`].
+    Teach {
+        /// The examples, at most [`MOST_TAUGHT`].
+        examples: Vec<Lesson>,
     },
     /// Opens a model file → [`Event::Trained`].
     OpenModel {
@@ -55,6 +63,11 @@ pub enum Request {
         /// Whether the robot may pull.
         pull: bool,
     },
+    /// Says what the scores of a command's readings are made of → [`Event::Explained`].
+    Explain {
+        /// The command as typed.
+        command: String,
+    },
     /// Runs an experiment on the corpus that is kept → [`Event::Experimenting`] after every example, then
     /// [`Event::Experimented`]. Corpus and model stay as they are.
     Experiment {
@@ -67,6 +80,28 @@ pub enum Request {
     Cancel,
     /// Asks whether the engine still answers → [`Event::Pong`]; replaces nothing.
     Ping,
+}
+
+/// The most examples that a model is taught at once.
+pub const MOST_TAUGHT: usize = 100;
+
+/// What is known before training.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SeedLexicon {
+    /// A few colours and function words: nouns and verbs are learned, as in the paper's Section VII.
+    Demonstration,
+    /// The English of the whole domain.
+    Domain,
+}
+
+/// A new example: what is said, and what is then done.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Lesson {
+    /// The command.
+    pub command: String,
+    /// Its demonstrations.
+    pub pairs: Vec<PairText>,
 }
 
 /// The settings of a training run that the page offers.
@@ -153,8 +188,12 @@ pub enum Event {
     Progress(Progress),
     /// There is a model.
     Trained(TrainReport),
+    /// The model was taught.
+    Taught(Box<TeachReport>),
     /// A command was answered.
     Answer(Box<Answer>),
+    /// The readings that an answer shows, in its order.
+    Explained(Vec<Explanation>),
     /// An experiment has gone on by one example.
     Experimenting(ExperimentProgress),
     /// An experiment is over.
@@ -244,6 +283,17 @@ pub struct TrainReport {
     pub valid: usize,
     /// Lexical entries.
     pub entries: usize,
+}
+
+/// What came of teaching.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TeachReport {
+    /// The model that was taught.
+    pub model: TrainReport,
+    /// The entries that were added.
+    pub added: Vec<EntryText>,
+    /// For each example whether it is now answered as its demonstrations show.
+    pub understood: Vec<bool>,
 }
 
 /// What a command was taken to mean and what came of it.

@@ -16,7 +16,7 @@ use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
 use groundling::plan::{AStar, Budget};
 use groundling::worker::job::Engine;
-use groundling::worker::protocol::{Event, Request, TrainSettings};
+use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
 use std::hint::black_box;
 
 /// The six sentences of the demonstration, and the paper's settings.
@@ -75,7 +75,10 @@ fn trained() -> Engine {
     let mut engine = Engine::new();
     let name = "six.csv".to_owned();
     pump(&mut engine, Request::ReadCorpus { name, text: SIX.to_owned() });
-    let last = pump(&mut engine, Request::Train { settings: SETTINGS });
+    let last = pump(
+        &mut engine,
+        Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS },
+    );
     assert!(matches!(last, Some(Event::Trained(_))), "{last:?}");
     engine
 }
@@ -84,7 +87,7 @@ fn trained() -> Engine {
 fn steps(engine: &mut Engine) -> Vec<f64> {
     let name = "six.csv".to_owned();
     pump(engine, Request::ReadCorpus { name, text: SIX.to_owned() });
-    engine.start(1, Request::Train { settings: SETTINGS });
+    engine.start(1, Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS });
     let mut steps = Vec::new();
     while engine.busy() {
         steps.push(seconds(|| {

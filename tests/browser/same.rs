@@ -5,7 +5,7 @@
 use groundling::domain::{Plan, State, generate};
 use groundling::logic::{Terms, print, read};
 use groundling::worker::job::Engine;
-use groundling::worker::protocol::{Event, Request, TrainSettings};
+use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
 use std::fmt::Write;
 
 /// What the report was when it was last looked at.
@@ -52,7 +52,7 @@ fn learned(out: &mut String) {
     last(&mut engine, Request::ReadCorpus { name, text: CORPUS.to_owned() });
     let settings =
         TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
-    match last(&mut engine, Request::Train { settings }) {
+    match last(&mut engine, Request::Train { lexicon: SeedLexicon::Demonstration, settings }) {
         Some(Event::Trained(report)) => {
             writeln!(out, "learned {} of {}", report.valid, report.examples)
         }

@@ -10,7 +10,7 @@ use groundling::ui::world::WORLDS;
 use groundling::ui::{describe, why};
 use groundling::worker::protocol::{
     Answer, CorpusReport, Envelope, Event, PairText, PlanText, Problem, Progress, Reading, Request,
-    RowSummary, TrainReport, VERSION,
+    RowSummary, SeedLexicon, TrainReport, VERSION,
 };
 
 /// A page and the engine's side of the talk: what was posted and not yet answered.
@@ -175,7 +175,7 @@ fn training_shows_its_progress_and_can_be_cancelled() {
     let mut page = Page::with_corpus(6);
     page.act(Action::Train);
     let (id, request) = page.posted.last().cloned().expect("training was sent");
-    assert_eq!(request, Request::Train { settings: SETTINGS });
+    assert_eq!(request, Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS });
     let progress = Progress {
         epoch: 2,
         epochs: 15,

@@ -10,7 +10,7 @@ mod messages;
 use crate::learn::{SIX, six};
 use groundling::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
 use groundling::worker::Engine;
-use groundling::worker::protocol::{Event, Request, TrainSettings};
+use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
 
 /// The steps that may pass without a word: a search of two million states at 2,000 a step takes a thousand.
 const MOST_SILENT_STEPS: usize = 1_010;
@@ -20,7 +20,7 @@ fn settings(epochs: u32) -> TrainSettings {
 }
 
 fn train(epochs: u32) -> Request {
-    Request::Train { settings: settings(epochs) }
+    Request::Train { lexicon: SeedLexicon::Demonstration, settings: settings(epochs) }
 }
 
 fn corpus(name: &str, text: &str) -> Request {
@@ -139,7 +139,13 @@ fn training_needs_a_corpus_and_settings_that_can_be() {
             "The demonstrations must be between 1 and 1000.",
         ),
     ] {
-        assert_eq!(refused(&mut engine, Request::Train { settings: change }), said);
+        assert_eq!(
+            refused(
+                &mut engine,
+                Request::Train { lexicon: SeedLexicon::Demonstration, settings: change }
+            ),
+            said
+        );
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::command::{Blank, Command, Done, Failure, answer_lines};
 use super::corpora::model;
-use groundling::ccg::{ChartConfig, parse};
+use groundling::ccg::{ChartConfig, Explanation, parse};
 use groundling::logic::print;
 use lexopt::ValueExt;
 use serde_json::{Value, json};
@@ -11,22 +11,26 @@ use std::path::PathBuf;
 pub(crate) const COMMAND: Command = Command {
     name: "parse",
     about: "Say what commands mean to a model",
-    usage: "--model MODEL [--best 10] [FILE…]",
+    usage: "--model MODEL [--best 10] [--explain] [FILE…]",
     details: "In:  a command a line\n\
               Out: {\"command\", \"forms\": [{\"form\", \"score\"}], \"skipped\": [words], \"reason\"?} a line;\n\
               \x20    all forms tied for best are listed even beyond --best\n\
-              \x20    reason, where there is no single answer: empty, too_long, unknown_words, no_parse, tie, budget",
+              \x20    reason, where there is no single answer: empty, too_long, unknown_words, no_parse, tie, budget\n\
+              \x20 --explain   each form has an \"explanation\" too: {\"score\", \"parts\": [{\"feature\", \"count\", \"weight\", \"adds\"}],\n\
+              \x20             \"entries\": [{\"words\", \"syntax\", \"meaning\", \"learned\"}]}; what the parts add,\n\
+              \x20             summed in their order, is the score",
     run,
 };
 
 fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     use lexopt::Arg;
     let (mut model_file, mut files) = (None, Vec::new());
-    let mut best = 10usize;
+    let (mut best, mut explain) = (10usize, false);
     while let Some(argument) = arguments.next()? {
         match argument {
             Arg::Long("model") => model_file = Some(PathBuf::from(arguments.value()?)),
             Arg::Long("best") => best = arguments.value()?.parse()?,
+            Arg::Long("explain") => explain = true,
             Arg::Long("json") => {}
             Arg::Value(file) => files.push(file.into()),
             other => return Err(other.unexpected().into()),
@@ -39,7 +43,15 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         let parse = parse(&mut model, command, config);
         let shown = parse.readings.iter().take(best.max(parse.tied()));
         let forms: Vec<Value> = shown
-            .map(|r| json!({ "form": print(&model.grammar.terms, r.form), "score": r.score }))
+            .map(|&reading| {
+                let explanation = Explanation::of(&model, &parse, reading);
+                let form = print(&model.grammar.terms, reading.form);
+                let mut form = json!({ "form": form, "score": explanation.score });
+                if explain {
+                    form["explanation"] = json!(explanation);
+                }
+                form
+            })
             .collect();
         let mut answer = json!({ "command": command, "forms": forms, "skipped": parse.skipped });
         if let Some(reason) = parse.reason {

@@ -3,19 +3,19 @@
 use super::command::{Command, Done, Failure};
 use super::corpora::{examples, model, text, write};
 use super::figures::scores_json;
-use groundling::ccg::ChartConfig;
+use groundling::ccg::{ChartConfig, EntryText};
 use groundling::corpus::Example;
-use groundling::learn::{Config, DEMONSTRATION_LEXICON, Evaluation, Trainer, seed_model};
+use groundling::learn::{CLEANUP_LEXICON, Config, Evaluation, Taught, Trainer, seed_model, teach};
 use lexopt::ValueExt;
 use serde_json::{Value, json};
 use std::io::{self, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 pub(crate) const COMMAND: Command = Command {
     name: "train",
     about: "Learn a parser from commands and the states before and after them",
-    usage: "--corpus FILE… --out MODEL [OPTIONS]",
+    usage: "[--into MODEL] --corpus FILE… --out MODEL [OPTIONS]",
     details: "  --corpus FILE…        batch-results CSV or JSON lines (.jsonl)\n\
               \x20 --out MODEL           where the model goes\n\
               \x20 --demonstrations N    look at the first N pairs of each row (all)\n\
@@ -23,11 +23,13 @@ pub(crate) const COMMAND: Command = Command {
               \x20 --epochs N            passes over the corpus (15)\n\
               \x20 --beam N              edges per span when parsing (150)\n\
               \x20 --lexical-beam N      edges per span when generating entries (75)\n\
-              \x20 --seed N              order of the examples; 0 keeps the corpus' (0)\n\
-              \x20 --lexicon FILE        the seed lexicon (the demonstration's)\n\
+              \x20 --seed N              of the order of examples in each epoch (0)\n\
+              \x20 --lexicon FILE        the seed lexicon (that of the whole domain)\n\
               \x20 --held-out FILE       score every epoch's model on this corpus\n\
               \x20 --checkpoint FILE     keep a file to go on from, after each epoch\n\
               \x20 --resume FILE         go on from such a file, with the same corpus and settings\n\
+              \x20 --into MODEL          teach a finished model these few examples besides, with its own settings:\n\
+              \x20                       of the options above only --demonstrations and --with-rejected count\n\
               \x20 --json                print a report as one JSON object",
     run,
 };
@@ -40,18 +42,23 @@ struct Options {
     held_out: Option<PathBuf>,
     checkpoint: Option<PathBuf>,
     resume: Option<PathBuf>,
+    into: Option<PathBuf>,
     with_rejected: bool,
     json: bool,
     config: Config,
 }
 
 fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
-    let options = read_options(arguments)?;
-    let out = options.out.ok_or_else(|| Failure::Usage("--out MODEL is missing".into()))?;
+    let mut options = read_options(arguments)?;
+    let missing = |what: &str| Failure::Usage(format!("{what} is missing"));
+    let out = options.out.take().ok_or_else(|| missing("--out MODEL"))?;
     if options.corpus.is_empty() {
-        return Err(Failure::Usage("--corpus FILE is missing".into()));
+        return Err(missing("--corpus FILE"));
     }
     let training = examples(&options.corpus, options.with_rejected)?;
+    if let Some(path) = &options.into {
+        return into(path, &training, &options, &out);
+    }
     let held_out = match &options.held_out {
         Some(path) => examples(std::slice::from_ref(path), options.with_rejected)?,
         None => Vec::new(),
@@ -62,7 +69,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
             .map_err(|e| Failure::Usage(format!("{}: {e}", path.display())))?,
         None => {
             let own = options.lexicon.as_deref().map(text).transpose()?;
-            let lexicon = own.as_deref().unwrap_or(DEMONSTRATION_LEXICON);
+            let lexicon = own.as_deref().unwrap_or(CLEANUP_LEXICON);
             let place =
                 options.lexicon.map_or("the lexicon".into(), |path| path.display().to_string());
             let seed = seed_model(lexicon).map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
@@ -112,6 +119,37 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
     Ok(Done::Well)
 }
 
+/// Teaches a finished model a few examples besides.
+fn into(path: &Path, examples: &[Example], options: &Options, out: &Path) -> Result<Done, Failure> {
+    let model = model(path)?;
+    let started = Instant::now();
+    let demonstrations = options.config.demonstrations;
+    let config = Config { demonstrations, ..Config::of(&model) };
+    let Taught { model, entries, understood } = teach(model, examples, config)
+        .map_err(|e| Failure::Usage(format!("{}: {e}", path.display())))?;
+    let seconds = started.elapsed().as_secs_f64();
+    write(out, &model.print())?;
+    let n_understood = understood.iter().filter(|&&understood| understood).count();
+    let (n_examples, n_entries) = (examples.len(), entries.len());
+    let _ = writeln!(
+        io::stderr(),
+        "{n_understood} of {n_examples} commands are understood, {n_entries} entries are new, {seconds:.1} s",
+    );
+    if options.json {
+        let added = entries.iter().map(|&id| EntryText::of(&model, id));
+        let commands = examples.iter().zip(&understood).map(
+            |(example, understood)| json!({ "command": example.command, "understood": understood }),
+        );
+        let report = json!({
+            "examples": n_examples, "entries": model.lexicon.len(),
+            "added": added.collect::<Vec<_>>(), "commands": commands.collect::<Vec<_>>(),
+            "seconds": seconds, "model": out.display().to_string(),
+        });
+        writeln!(io::stdout(), "{report}").map_err(Failure::Output)?;
+    }
+    Ok(Done::Well)
+}
+
 /// Scores the model as it is on held-out commands; training does not notice.
 fn held_out_scores(trainer: &Trainer, examples: &[Example], config: &Config) -> Value {
     let mut model = trainer.averaged();
@@ -140,6 +178,7 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
             Long("lexicon") => options.lexicon = Some(arguments.value()?.into()),
             Long("held-out") => options.held_out = Some(arguments.value()?.into()),
             Long("checkpoint") => options.checkpoint = Some(arguments.value()?.into()),
+            Long("into") => options.into = Some(arguments.value()?.into()),
             Long("resume") => options.resume = Some(arguments.value()?.into()),
             Long("with-rejected") => options.with_rejected = true,
             Long("json") => options.json = true,

@@ -5,7 +5,8 @@ use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
     Answer, Confused, CorpusReport, CorpusText, Envelope, Event, Experiment, ExperimentProgress,
     ExperimentReport, Figures, Judgement, PairText, PlanText, PlannerReport, Problem, Progress,
-    Reading, Request, RowSummary, RunPart, RunReport, TaskFigures, TrainReport, VERSION,
+    Reading, Request, RowSummary, RunPart, RunReport, SeedLexicon, TaskFigures, TrainReport,
+    VERSION,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -28,7 +29,7 @@ fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
         let body = &value["body"];
         let key = body.as_object().and_then(|object| object.keys().next()).map(String::as_str);
         assert_eq!(body.as_str().or(key), Some(kind), "{text}");
-        assert_eq!(value["groundling"], 2);
+        assert_eq!(value["groundling"], 3);
         assert_eq!(serde_json::from_str::<Envelope<T>>(&text).unwrap(), envelope, "{text}");
     }
 }
@@ -36,6 +37,7 @@ fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
 #[test]
 fn requests_come_back_from_json() {
     let state = six()[0].pairs[0].pre.clone();
+    let pair = PairText { pre: state.clone(), post: state.clone() };
     let mut some = settings(3);
     some.demonstrations = Some(2);
     let test = CorpusText { name: "test.csv".to_owned(), text: "x\n".to_owned() };
@@ -43,8 +45,10 @@ fn requests_come_back_from_json() {
     let messages = [
         corpus("a \"b\".csv", "x,\"y\"\r\n\u{fffd}🤖"),
         Request::ShowRow { row: 3 },
-        Request::Train { settings: settings(15) },
-        Request::Train { settings: some },
+        Request::Train { lexicon: SeedLexicon::Demonstration, settings: settings(15) },
+        Request::Train { lexicon: SeedLexicon::Demonstration, settings: some },
+        Request::Teach { examples: vec![Lesson { command: "go".to_owned(), pairs: vec![pair] }] },
+        Request::Explain { command: "go".to_owned() },
         Request::OpenModel { text: "groundling model 1\nend\n".to_owned() },
         Request::Ask { command: "go".to_owned(), state: state.clone(), pull: true },
         experiment(Experiment::Table2 { set: "raw".to_owned(), test: test.clone() }),
@@ -54,10 +58,12 @@ fn requests_come_back_from_json() {
         Request::Cancel,
         Request::Ping,
     ];
-    come_back(&messages, 8, |request| match request {
+    come_back(&messages, 10, |request| match request {
         Request::ReadCorpus { .. } => "read_corpus",
         Request::ShowRow { .. } => "show_row",
         Request::Train { .. } => "train",
+        Request::Teach { .. } => "teach",
+        Request::Explain { .. } => "explain",
         Request::OpenModel { .. } => "open_model",
         Request::Ask { .. } => "ask",
         Request::Experiment { .. } => "experiment",
