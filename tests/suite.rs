@@ -35,6 +35,10 @@ mod holds;
 mod planning;
 #[path = "suite/learn.rs"]
 mod learn;
+#[path = "suite/teach.rs"]
+mod teach;
+#[path = "suite/explain.rs"]
+mod explain;
 #[path = "suite/worker.rs"]
 mod worker;
 #[path = "suite/demonstration.rs"]

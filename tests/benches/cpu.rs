@@ -40,6 +40,11 @@ impl Row {
         Self { name, reference: None, seconds }
     }
 
+    /// Says what the reference system needs, in CPU seconds.
+    pub(crate) fn set_reference(&mut self, seconds: f64) {
+        self.reference = Some(seconds);
+    }
+
     /// The least of the times that so many per cent of the rounds did not exceed.
     fn percentile(&self, per_cent: usize) -> f64 {
         let last = self.seconds.len().saturating_sub(1);

@@ -9,6 +9,8 @@
 
 #[path = "cpu.rs"]
 mod cpu;
+#[path = "learning.rs"]
+mod learning;
 
 use cpu::{Row, print_table, seconds};
 use groundling::domain::{Plan, Rules, State, generate};
@@ -67,7 +69,11 @@ fn main() {
         black_box(pump(&mut engine, Request::Ask { command, state, pull: false }));
     }));
     rows.push(Row::of("plan: three objects with pull", 20, Some(REFERENCE_PLAN), |_| plan()));
+    rows.extend(learning::rows());
     print_table(&rows);
+    if let Some(megabytes) = learning::peak_memory() {
+        println!("\nmost memory held: {megabytes:.0} MB");
+    }
 }
 
 /// Reads and learns the six sentences in a new engine.

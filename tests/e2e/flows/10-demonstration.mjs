@@ -35,7 +35,8 @@ flow('the page learns the same model as the command line, byte for byte', async 
   const folder = await mkdtemp(path.join(os.tmpdir(), 'groundling-'));
   try {
     const out = path.join(folder, 'six.model');
-    const { status, stderr } = await t.groundling('train', '--corpus', 'assets/corpus/six.csv', '--out', out);
+    const { status, stderr } = await t.groundling('train', '--corpus', 'assets/corpus/six.csv',
+      '--lexicon', 'assets/lexicon/demonstration.txt', '--out', out);
     t.equal(status, 0, stderr);
     const here = await readFile(out, 'utf8');
     t.check(here.length > 1000, 'a model is a longer text');

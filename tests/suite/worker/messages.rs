@@ -1,12 +1,13 @@
 //! Messages between page and engine: each kind comes back from JSON as it went in, under its own name.
 
 use super::{corpus, settings, six};
+use groundling::ccg::{EntryText, Explanation, Part};
 use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
     Answer, Confused, CorpusReport, CorpusText, Envelope, Event, Experiment, ExperimentProgress,
-    ExperimentReport, Figures, Judgement, PairText, PlanText, PlannerReport, Problem, Progress,
-    Reading, Request, RowSummary, RunPart, RunReport, SeedLexicon, TaskFigures, TrainReport,
-    VERSION,
+    ExperimentReport, Figures, Judgement, Lesson, PairText, PlanText, PlannerReport, Problem,
+    Progress, Reading, Request, RowSummary, RunPart, RunReport, SeedLexicon, TaskFigures,
+    TeachReport, TrainReport, VERSION,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -145,6 +146,14 @@ fn events_come_back_from_json() {
         problems: report.problems.clone(),
     };
     let model = "groundling model 1\nend\n".to_owned();
+    let trained = TrainReport { model, examples: 6, valid: 6, entries: 9 };
+    let entry = EntryText {
+        words: "go".to_owned(),
+        syntax: "N".to_owned(),
+        meaning: "p:t".to_owned(),
+        learned: true,
+    };
+    let part = Part { feature: "skip".to_owned(), count: 1, weight: 0.1, adds: 0.1 };
     let messages = [
         Event::Ready,
         Event::Pong,
@@ -155,13 +164,19 @@ fn events_come_back_from_json() {
         Event::Experimenting(learning),
         Event::Experimenting(judging),
         Event::Experimented(Box::new(found)),
-        Event::Trained(TrainReport { model, examples: 6, valid: 6, entries: 9 }),
+        Event::Trained(trained.clone()),
+        Event::Taught(Box::new(TeachReport {
+            model: trained,
+            added: vec![entry.clone()],
+            understood: vec![true],
+        })),
+        Event::Explained(vec![Explanation { score: 0.1, parts: vec![part], entries: vec![entry] }]),
         Event::Answer(Box::new(answer)),
         Event::Answer(Box::new(without)),
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
     ];
-    come_back(&messages, 12, |event| match event {
+    come_back(&messages, 14, |event| match event {
         Event::Ready => "ready",
         Event::Pong => "pong",
         Event::Crashed { .. } => "crashed",
@@ -171,6 +186,8 @@ fn events_come_back_from_json() {
         Event::Experimenting(_) => "experimenting",
         Event::Experimented(_) => "experimented",
         Event::Trained(_) => "trained",
+        Event::Taught(_) => "taught",
+        Event::Explained(_) => "explained",
         Event::Answer(_) => "answer",
         Event::Refused { .. } => "refused",
         Event::Cancelled => "cancelled",
