@@ -7,6 +7,7 @@ use super::features::Feature;
 use super::lexicon::{Hole, Origin};
 use super::model::Model;
 use super::sentence::words;
+use super::syntax::SyntaxId;
 use crate::logic::{ConstantId, read};
 
 /// The weight of a seed lexeme, and of a seed entry for each of its words (see [`seed_weight`]). The reference has 10,
@@ -97,14 +98,17 @@ fn add_entry(model: &mut Model, phrase: &str, category: Category) -> Result<(), 
     if words.is_empty() {
         return Err("there are no words before :-".to_owned());
     }
-    let weight = seed_weight(words.len());
+    let n_words = words.len();
     let entry = model
         .lexicon
         .add_category(&mut model.grammar, words, category, Origin::Seed)
         .map_err(|e| e.to_string())?;
-    let lexeme = model.lexicon.entry(entry).lexeme;
-    model.features.set(Feature::Lexeme(lexeme), SEED);
-    model.features.set(Feature::Entry(entry), weight);
+    // That a word may mean nothing is no reason to think so: where it also has a meaning, the meaning goes before.
+    if category.syntax != SyntaxId::EMPTY {
+        let lexeme = model.lexicon.entry(entry).lexeme;
+        model.features.set(Feature::Lexeme(lexeme), SEED);
+        model.features.set(Feature::Entry(entry), seed_weight(n_words));
+    }
     Ok(())
 }
 
