@@ -9,6 +9,7 @@ use crate::ground::{Goal, PairId, Side, Task, Validator};
 use crate::logic::{TermId, Terms};
 use crate::plan::{AStar, Budget, Outcome};
 use rustc_hash::FxHashMap;
+use serde::{Deserialize, Serialize};
 
 /// States that one call of the planner may expand: more than a room with one object has, so that a search in vain
 /// ends. A call that runs out of it finds no plan.
@@ -33,7 +34,7 @@ impl Default for Planning {
 }
 
 /// What planning cost.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PlannerCost {
     /// Calls of the planner.
     pub calls: u64,

@@ -5,7 +5,7 @@ use super::ask::Asking;
 use super::job::{ROWS_A_STEP, problem, progress};
 use super::protocol::{
     Confused, CorpusText, Event, Experiment, ExperimentProgress, ExperimentReport, Figures,
-    Judgement, PlannerReport, Problem, RunPart, RunReport, TaskFigures,
+    Judgement, Problem, RunPart, RunReport, TaskFigures,
 };
 use crate::ccg::Model;
 use crate::corpus::{Corpus, Example, Form, Options, Rows};
@@ -198,19 +198,13 @@ fn read(CorpusText { name, text }: &CorpusText) -> Result<Stage, String> {
 }
 
 fn run_report(run: &Run, outcome: &Outcome) -> RunReport {
-    let planner = outcome.planner.map(|cost| PlannerReport {
-        calls: cost.calls,
-        saved: cost.saved,
-        expanded: cost.expanded,
-        given_up: cost.given_up,
-    });
     RunReport {
         name: run.name.clone(),
         examples: outcome.examples,
         valid: outcome.last.valid,
         entries: outcome.last.entries,
         paper_f1: run.paper_f1,
-        planner,
+        planner: outcome.planner,
         judgement: judgement(&outcome.report),
     }
 }

@@ -4,6 +4,7 @@
 
 use crate::ccg::{EntryText, Explanation};
 use crate::domain::State;
+use crate::learn::PlannerCost;
 use crate::learn::experiment::By;
 use serde::{Deserialize, Serialize};
 
@@ -398,22 +399,9 @@ pub struct RunReport {
     /// The F1 that the paper reports for this, where it does.
     pub paper_f1: Option<f64>,
     /// What planning cost, in a run that plans.
-    pub planner: Option<PlannerReport>,
+    pub planner: Option<PlannerCost>,
     /// How it was judged.
     pub judgement: Judgement,
-}
-
-/// What planning cost.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct PlannerReport {
-    /// Calls of the planner.
-    pub calls: u64,
-    /// Calls that the memo saved.
-    pub saved: u64,
-    /// States expanded in all calls.
-    pub expanded: u64,
-    /// Calls that ran out of a budget.
-    pub given_up: u64,
 }
 
 /// How commands were answered.

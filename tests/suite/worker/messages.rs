@@ -2,12 +2,13 @@
 
 use super::{corpus, settings, six};
 use groundling::ccg::{EntryText, Explanation, Part};
+use groundling::learn::PlannerCost;
 use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
     Answer, Confused, CorpusReport, CorpusText, Envelope, Event, Experiment, ExperimentProgress,
-    ExperimentReport, Figures, Judgement, Lesson, PairText, PlanText, PlannerReport, Problem,
-    Progress, Reading, Request, RowSummary, RunPart, RunReport, SeedLexicon, TaskFigures,
-    TeachReport, TrainReport, VERSION,
+    ExperimentReport, Figures, Judgement, Lesson, PairText, PlanText, Problem, Progress, Reading,
+    Request, RowSummary, RunPart, RunReport, SeedLexicon, TaskFigures, TeachReport, TrainReport,
+    VERSION,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -129,7 +130,7 @@ fn events_come_back_from_json() {
         tasks: vec![TaskFigures { task: task.clone(), total: 3, answered: 3, correct: 1 }],
         confusion: vec![Confused { task, does: none, count: 2 }],
     };
-    let planner = PlannerReport { calls: 9, saved: 8, expanded: 70, given_up: 1 };
+    let planner = PlannerCost { calls: 9, saved: 8, expanded: 70, given_up: 1 };
     let row = RunReport {
         name,
         examples: 50,
