@@ -100,7 +100,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
             "entries": epoch.entries, "over_budget": epoch.over_budget, "seconds": seconds,
         });
         if !held_out.is_empty() {
-            report["held_out"] = held_out_scores(&trainer, &held_out, &options.config);
+            report["held_out"] = held_out_scores(&trainer, &held_out);
         }
         epochs.push(report);
         if let Some(path) = &options.checkpoint {
@@ -151,9 +151,9 @@ fn into(path: &Path, examples: &[Example], options: &Options, out: &Path) -> Res
 }
 
 /// Scores the model as it is on held-out commands; training does not notice.
-fn held_out_scores(trainer: &Trainer, examples: &[Example], config: &Config) -> Value {
+fn held_out_scores(trainer: &Trainer, examples: &[Example]) -> Value {
     let mut model = trainer.averaged();
-    let config = ChartConfig { beam: config.beam as usize, ..ChartConfig::default() };
+    let config = ChartConfig::of(&model);
     let mut evaluation = Evaluation::new(&mut model, examples, config);
     while evaluation.step().is_some() {}
     scores_json(evaluation.scores())
