@@ -10,9 +10,9 @@ use super::syntax::SyntaxId;
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Leniency {
-    /// Those that the lexicon says are empty.
+    /// Those with an entry that says they are empty.
     Learned,
-    /// Those and the words that it does not know.
+    /// Those and the words that the lexicon does not know.
     Unknown,
     /// Any.
     Any,
@@ -21,7 +21,7 @@ pub enum Leniency {
 /// For every word the entry by which it means nothing, if the lexicon has one.
 pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
     let empty = |word: &String| {
-        let entries = model.lexicon.entries_for(&[Box::from(word.as_str())]);
+        let entries = model.lexicon.entries_for_word(word);
         entries
             .iter()
             .copied()
@@ -30,27 +30,21 @@ pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
     words.iter().map(empty).collect()
 }
 
-/// What it adds to a score to leave each word without meaning; `None` where that may not be.
-pub fn absorption(model: &Model, words: &[String], leniency: Leniency) -> Vec<Option<f64>> {
-    let cost = |(word, empty): (&String, Option<EntryId>)| {
+/// What it adds to a score to leave each word without meaning, by the entry given for that if there is one; `None`
+/// where that may not be.
+pub fn absorption(
+    model: &Model,
+    words: &[String],
+    empty: &[Option<EntryId>],
+    leniency: Leniency,
+) -> Vec<Option<f64>> {
+    let cost = |(word, &empty): (&String, &Option<EntryId>)| {
         let may = match leniency {
             Leniency::Any => true,
             Leniency::Unknown => empty.is_some() || !model.lexicon.knows(word),
             Leniency::Learned => empty.is_some(),
         };
         may.then(|| model.value(&model.absorption_features(word, empty)))
-    };
-    words.iter().zip(empty_entries(model, words)).map(cost).collect()
-}
-
-/// What it adds to a score to leave each word without meaning by the entries given for that.
-pub fn absorption_of(
-    model: &Model,
-    words: &[String],
-    empty: &[Option<EntryId>],
-) -> Vec<Option<f64>> {
-    let cost = |(word, empty): (&String, &Option<EntryId>)| {
-        empty.map(|entry| model.value(&model.absorption_features(word, Some(entry))))
     };
     words.iter().zip(empty).map(cost).collect()
 }

@@ -172,9 +172,14 @@ impl Lexicon {
         self.vocabulary.contains(word)
     }
 
+    /// The entries for a word alone.
+    pub fn entries_for_word(&self, word: &str) -> &[EntryId] {
+        self.entries_for(&[Box::from(word)])
+    }
+
     /// Whether an entry for the word alone has constants, and none of the seed says that it may mean nothing.
     pub fn has_content(&self, word: &str) -> bool {
-        let entries = self.entries_for(&[Box::from(word)]);
+        let entries = self.entries_for_word(word);
         let lexeme = |id: EntryId| self.lexeme(self.entry(id).lexeme);
         let is_empty =
             |id: EntryId| self.template(self.entry(id).template).syntax == SyntaxId::EMPTY;

@@ -117,15 +117,15 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
         return Parse { words, readings, skipped, reason, tried: 0, chart };
     }
     let heard = heard(&model.lexicon, &words);
-    let mut parse = fill_at(model, &heard, Leniency::Learned, config);
+    let empty = empty_entries(model, &heard);
+    let mut parse = fill_at(model, &heard, &empty, Leniency::Learned, config);
     for leniency in [Leniency::Unknown, Leniency::Any] {
         if parse.readings.is_empty() {
-            let next = fill_at(model, &heard, leniency, config);
+            let next = fill_at(model, &heard, &empty, leniency, config);
             parse = parse.or_else(next);
         }
     }
     if let Some(&best) = parse.readings.first() {
-        let empty = empty_entries(model, &heard);
         let absorbed = parse.derivation(best).absorbed().into_iter();
         parse.skipped =
             absorbed.filter(|&at| empty[at].is_none()).map(|at| words[at].clone()).collect();
@@ -140,8 +140,14 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
     parse
 }
 
-fn fill_at(model: &mut Model, words: &[String], leniency: Leniency, config: ChartConfig) -> Parse {
-    let costs = absorption(model, words, leniency);
+fn fill_at(
+    model: &mut Model,
+    words: &[String],
+    empty: &[Option<EntryId>],
+    leniency: Leniency,
+    config: ChartConfig,
+) -> Parse {
+    let costs = absorption(model, words, empty, leniency);
     let items = absorbing(lexical_items(model, words), &costs);
     fill(model, words, items, |_, _, _| true, config)
 }

@@ -3,7 +3,7 @@
 //! type. What comes out are candidates: only validation makes them entries.
 
 use super::novelty::{Novelty, novelty};
-use crate::ccg::absorb::{absorbing, absorption_of, empty_entries};
+use crate::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
 use crate::ccg::chart::{Chart, ChartConfig, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
@@ -147,7 +147,7 @@ fn coarse_chart(
             }
         }
     }
-    let costs = absorption_of(model, words, empty);
+    let costs = absorption(model, words, empty, Leniency::Learned);
     let items = absorbing(items, &costs);
     let features = &model.features;
     let rule_score = |rule| features.value(Feature::Rule(rule));

@@ -35,7 +35,7 @@ fn settled(model: &Model, word: &str) -> Vec<EntryId> {
     let lexicon = &model.lexicon;
     let has_constants =
         |id: &EntryId| !lexicon.lexeme(lexicon.entry(*id).lexeme).constants.is_empty();
-    let entries = lexicon.entries_for(&[Box::from(word)]).iter().copied();
+    let entries = lexicon.entries_for_word(word).iter().copied();
     entries.filter(|id| lexicon.origin(*id) == Origin::Seed).filter(has_constants).collect()
 }
 

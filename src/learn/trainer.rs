@@ -5,7 +5,7 @@ use super::config::Config;
 use super::genlex::{Candidate, Generated, Scope, generate};
 use super::gradient::update;
 use super::planning::{PlannerCost, Planning, Validation};
-use crate::ccg::absorb::{Leniency, absorbing, absorption, absorption_of, empty_entries};
+use crate::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
 use crate::ccg::{
@@ -360,7 +360,7 @@ impl Trainer {
             item.score -= NOVELTY * lexeme.constants.len() as f64;
             items.push(item);
         }
-        let costs = absorption_of(&self.model, words, &generated.empty);
+        let costs = absorption(&self.model, words, &generated.empty, Leniency::Learned);
         let items = absorbing(items, &costs);
         let validator = &mut self.validator;
         let admit = |grammar: &Grammar, (start, end): (usize, usize), category: Category| {
@@ -408,9 +408,9 @@ impl Trainer {
             return (Vec::new(), false);
         }
         let words = &heard(&self.model.lexicon, words);
-        let costs = absorption(&self.model, words, Leniency::Learned);
-        let items = absorbing(lexical_items(&self.model, words), &costs);
         let empty = empty_entries(&self.model, words);
+        let costs = absorption(&self.model, words, &empty, Leniency::Learned);
+        let items = absorbing(lexical_items(&self.model, words), &costs);
         let config = chart_config(self.config.beam, self.config.budget);
         let parse = fill(&mut self.model, words, items, |_, _, _| true, config);
         let mut readings = Vec::with_capacity(parse.readings.len());

@@ -23,7 +23,8 @@ fn polite() -> Model {
 
 /// The goals of a sentence when any of its empty words may be left out, each with its best score.
 fn goals_without(model: &mut Model, words: &[String]) -> BTreeMap<String, f64> {
-    let costs = absorption(model, words, Leniency::Learned);
+    let empty = empty_entries(model, words);
+    let costs = absorption(model, words, &empty, Leniency::Learned);
     let items = lexical_items(model, words);
     let mut best = BTreeMap::new();
     for left_out in 0..1_u32 << words.len() {
@@ -45,7 +46,8 @@ fn goals_without(model: &mut Model, words: &[String]) -> BTreeMap<String, f64> {
 
 /// The goals that a chart without end finds.
 fn goals(model: &mut Model, words: &[String]) -> BTreeMap<String, f64> {
-    let costs = absorption(model, words, Leniency::Learned);
+    let empty = empty_entries(model, words);
+    let costs = absorption(model, words, &empty, Leniency::Learned);
     let items = absorbing(lexical_items(model, words), &costs);
     let parse = fill(model, words, items, |_, _, _| true, WITHOUT_END);
     let terms = &model.grammar.terms;
@@ -111,7 +113,8 @@ fn empty_words_stand_anywhere_and_are_absorbed_once() {
         model_over(ONTOLOGY, &format!("{AMBIGUOUS}\nplease | kindly :- EMPTY : true:t"));
     let mut derivations = |command: &str| {
         let words = words(command);
-        let costs = absorption(&model, &words, Leniency::Learned);
+        let empty = empty_entries(&model, &words);
+        let costs = absorption(&model, &words, &empty, Leniency::Learned);
         let items = absorbing(lexical_items(&model, &words), &costs);
         brute::derivations(&mut model, words.len(), &items)
     };
@@ -165,11 +168,14 @@ fn absorbed_words_are_scored_by_their_entry_or_as_skipped_and_as_dropped() {
         (Leniency::Any, [true; 4]),
     ] {
         assert_eq!(
-            absorption(&model, &words, leniency).iter().map(Option::is_some).collect::<Vec<_>>(),
+            absorption(&model, &words, &empty, leniency)
+                .iter()
+                .map(Option::is_some)
+                .collect::<Vec<_>>(),
             may
         );
     }
     model.features.set(Feature::Skip, -0.25);
-    let costs = absorption(&model, &words, Leniency::Any);
+    let costs = absorption(&model, &words, &empty, Leniency::Any);
     assert_eq!(costs[1..3], [Some(-3.25), Some(-0.25)]);
 }
