@@ -1,59 +1,13 @@
 //! How Cleanup World moves (Williams et al., Section III), on packed states: agent, objects and tried doors
-//! in two machine words, no allocation in a step. One object is pushed at a time; `pull` swaps.
+//! in two machine words, no allocation in a step. One object is pushed at a time; `pull` swaps. What may go
+//! wrong on the way is in `outcomes`.
 //! Invariant: `unpack` after `pack` is the identity, and a step from a legal state ends in a legal state.
 
 use super::layout::{Layout, NOWHERE, Place};
-use super::name::named;
 use super::object::{Direction, Lock};
+use super::packing::{PackError, Packed};
+use super::rules::{Action, Form, Rules};
 use super::state::State;
-
-/// What the robot can do: turn to a side and step, pushing what is in the way; or pull what it faces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[expect(missing_docs, reason = "the names say it")]
-pub enum Action {
-    North,
-    South,
-    East,
-    West,
-    Pull,
-}
-
-named!(
-    Action, "action",
-    North "north" 'n', South "south" 's', East "east" 'e', West "west" 'w', Pull "pull" 'p',
-);
-
-/// The rules that can differ between worlds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Rules {
-    /// Whether there is the action `pull`.
-    pub pull: bool,
-}
-
-/// A state in two machine words; only the [`Dynamics`] that packed it can read it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Packed(u128);
-
-/// Why a state cannot be packed.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum PackError {
-    /// The fields need more bits than there are.
-    #[error(
-        "{objects} objects in {cells} cells need {bits} bits, more than {}: use fewer objects or a smaller world",
-        u128::BITS
-    )]
-    TooLarge {
-        /// How many objects there are.
-        objects: usize,
-        /// How many cells are no wall.
-        cells: usize,
-        /// How many bits all fields need.
-        bits: usize,
-    },
-    /// Something stands in a wall.
-    #[error("`{0}` stands in a wall")]
-    InWall(String),
-}
 
 /// Rooms and doors compiled to a step function. Fields of a packed state from the low end: the direction
 /// (2 bits), the agent's place, each object's place, and 2 bits for each door that began `unknown`.
@@ -77,7 +31,7 @@ enum DoorLock {
 }
 
 /// Bits of a direction, and of a lock.
-const SMALL: u32 = 2;
+pub(super) const SMALL: u32 = 2;
 
 impl Dynamics {
     /// Compiles the rooms and doors of a legal state and makes room for its objects.
@@ -127,8 +81,7 @@ impl Dynamics {
     /// The actions of this world, in the order of ties.
     #[must_use]
     pub fn actions(&self) -> &'static [Action] {
-        let all = Action::ALL;
-        if self.rules.pull { all } else { &all[..all.len() - 1] }
+        self.rules.actions()
     }
 
     /// Packs a state with the rooms, doors and objects of this world, wherever its things are.
@@ -140,18 +93,18 @@ impl Dynamics {
             self.layout.place(x, y).ok_or_else(|| PackError::InWall(name.to_owned()))
         };
         let agent = place("agent", state.agent.x, state.agent.y)?;
-        let mut packed = with(0, 0, SMALL, state.agent.direction as u128);
-        packed = with(packed, SMALL, self.width, u128::from(agent));
+        let mut packed = Packed(0).with(0, SMALL, state.agent.direction as u128);
+        packed = packed.with(SMALL, self.width, u128::from(agent));
         for (i, o) in state.objects.iter().enumerate().take(self.n_objects()) {
             let here = u128::from(place(&o.name, o.x, o.y)?);
-            packed = with(packed, self.object_shift(i), self.width, here);
+            packed = packed.with(self.object_shift(i), self.width, here);
         }
         for (door, lock) in state.doors.iter().zip(&self.doors) {
             if let DoorLock::Field { shift } = *lock {
-                packed = with(packed, shift, SMALL, door.lock as u128);
+                packed = packed.with(shift, SMALL, door.lock as u128);
             }
         }
-        Ok(Packed(packed))
+        Ok(packed)
     }
 
     /// The state that was packed, with the names and looks of this world.
@@ -175,14 +128,14 @@ impl Dynamics {
     #[inline]
     #[must_use]
     pub fn agent(&self, packed: Packed) -> Place {
-        field(packed, SMALL, self.width)
+        packed.field(SMALL, self.width)
     }
 
     /// Where the object with this index is.
     #[inline]
     #[must_use]
     pub fn object(&self, packed: Packed, index: usize) -> Place {
-        field(packed, self.object_shift(index), self.width)
+        packed.field(self.object_shift(index), self.width)
     }
 
     /// The lock of the door with this index, if it can change in this world.
@@ -191,7 +144,7 @@ impl Dynamics {
         match *self.doors.get(door)? {
             DoorLock::Fixed { .. } => None,
             DoorLock::Field { shift } => {
-                Lock::ALL.get(usize::from(field(packed, shift, SMALL))).copied()
+                Lock::ALL.get(usize::from(packed.field(shift, SMALL))).copied()
             }
         }
     }
@@ -203,78 +156,104 @@ impl Dynamics {
         let Some(door) = self.layout.door(place) else { return true };
         match self.doors[door] {
             DoorLock::Fixed { opens } => opens,
-            DoorLock::Field { shift } => field(packed, shift, SMALL) != Lock::Locked as Place,
+            DoorLock::Field { shift } => packed.field(shift, SMALL) != Lock::Locked as Place,
         }
     }
 
-    /// What `action` does in the deterministic world, where a door that is `unknown` opens.
+    /// What `action` does when nothing goes wrong: no slip, no loss, and a door that is `unknown` opens.
+    /// An action that this world lacks does nothing.
     #[must_use]
     pub fn step(&self, packed: Packed, action: Action) -> Packed {
-        match action {
-            Action::North => self.go(packed, Direction::North),
-            Action::South => self.go(packed, Direction::South),
-            Action::East => self.go(packed, Direction::East),
-            Action::West => self.go(packed, Direction::West),
-            Action::Pull => self.pull(packed),
-        }
+        self.attempt(packed, action).moved
     }
 
-    /// One state for all that neither goals nor actions can tell apart from this one: which way the robot
-    /// faces matters only to `pull` and only in front of an object, and a door that opens is open.
+    /// One state for all that neither goals nor actions can tell apart from this one: in compass form, which
+    /// way the robot faces matters only to `pull` and only in front of what may be moved; a door that nobody
+    /// tried is open when doors never lock, and locked when they always do.
     #[must_use]
     pub fn quotient(&self, packed: Packed) -> Packed {
         let mut result = packed;
-        for lock in &self.doors {
-            if let DoorLock::Field { shift } = *lock
-                && field(packed, shift, SMALL) == Lock::Unknown as Place
-            {
-                result = Packed(with(result.0, shift, SMALL, Lock::Unlocked as u128));
+        let lock = self.rules.chances.lock();
+        if lock == 0.0 || lock == 1.0 {
+            let found = if lock == 0.0 { Lock::Unlocked } else { Lock::Locked };
+            for door in &self.doors {
+                if let DoorLock::Field { shift } = *door
+                    && is_unknown(packed, shift)
+                {
+                    result = result.with(shift, SMALL, found as u128);
+                }
             }
         }
-        let agent = self.agent(packed);
-        let idle = |d| self.object_at(packed, self.layout.neighbour(agent, d)).is_none();
-        if !self.rules.pull {
-            return facing(result, Direction::North);
+        match (self.rules.form, self.rules.pull) {
+            (Form::Robot, _) => result,
+            (Form::Compass, false) => facing(result, Direction::North),
+            (Form::Compass, true) => {
+                let agent = self.agent(packed);
+                let idle = |d| {
+                    let object = self.object_at(packed, self.layout.neighbour(agent, d));
+                    object.is_none_or(|o| !self.rules.movable.allows(o))
+                };
+                match Direction::ALL.iter().find(|d| idle(**d)) {
+                    Some(&first) if idle(direction(packed)) => facing(result, first),
+                    _ => result,
+                }
+            }
         }
-        if idle(direction(packed))
-            && let Some(&first) = Direction::ALL.iter().find(|d| idle(**d))
-        {
-            result = facing(result, first);
+    }
+
+    /// What an action tries, before anything goes wrong.
+    pub(super) fn attempt(&self, packed: Packed, action: Action) -> Attempt {
+        let heading = direction(packed);
+        match (self.rules.step(action, heading), self.rules.form, action) {
+            (Some(side), ..) => self.go(packed, side),
+            (None, _, Action::Pull) if self.rules.pull => self.pull(packed, heading),
+            (None, Form::Robot, Action::TurnLeft) => Attempt::still(facing(packed, heading.left())),
+            (None, Form::Robot, Action::TurnRight) => {
+                Attempt::still(facing(packed, heading.left().opposite()))
+            }
+            _ => Attempt::still(packed),
         }
-        result
     }
 
     /// Turns, then steps if that can be, pushing what is in the way.
-    fn go(&self, packed: Packed, direction: Direction) -> Packed {
-        let turned = facing(packed, direction);
+    fn go(&self, packed: Packed, direction: Direction) -> Attempt {
+        let still = facing(packed, direction);
         let ahead = self.layout.neighbour(self.agent(packed), direction);
         if ahead == NOWHERE || !self.opens(packed, ahead) {
-            return turned;
+            return Attempt::still(still);
         }
         let Some(object) = self.object_at(packed, ahead) else {
-            return self.agent_to(turned, ahead);
+            let moved = self.agent_to(still, ahead);
+            return Attempt { still, moved, entered: [ahead, NOWHERE], carries: false };
         };
         let beyond = self.layout.neighbour(ahead, direction);
         if beyond == NOWHERE
+            || !self.rules.movable.allows(object)
             || !self.opens(packed, beyond)
             || self.object_at(packed, beyond).is_some()
         {
-            return turned;
+            return Attempt::still(still);
         }
-        self.agent_to(self.object_to(turned, object, beyond), ahead)
+        let moved = self.agent_to(self.object_to(still, object, beyond), ahead);
+        Attempt { still, moved, entered: [ahead, beyond], carries: true }
     }
 
     /// Swaps the robot with the object in the faced cell, then faces it.
-    fn pull(&self, packed: Packed) -> Packed {
-        let direction = direction(packed);
+    fn pull(&self, packed: Packed, heading: Direction) -> Attempt {
         let here = self.agent(packed);
-        let ahead = self.layout.neighbour(here, direction);
-        let Some(object) = self.object_at(packed, ahead) else { return packed };
-        if !self.rules.pull || !self.opens(packed, ahead) || !self.opens(packed, here) {
-            return packed;
+        let ahead = self.layout.neighbour(here, heading);
+        match self.object_at(packed, ahead) {
+            Some(object)
+                if self.rules.movable.allows(object)
+                    && self.opens(packed, ahead)
+                    && self.opens(packed, here) =>
+            {
+                let swapped = self.agent_to(self.object_to(packed, object, here), ahead);
+                let moved = facing(swapped, heading.opposite());
+                Attempt { still: packed, moved, entered: [ahead, here], carries: true }
+            }
+            _ => Attempt::still(packed),
         }
-        let swapped = self.agent_to(self.object_to(packed, object, here), ahead);
-        facing(swapped, direction.opposite())
     }
 
     /// The index of the object at a place.
@@ -284,23 +263,47 @@ impl Dynamics {
     }
 
     fn agent_to(&self, packed: Packed, place: Place) -> Packed {
-        Packed(with(self.enter(packed, place).0, SMALL, self.width, u128::from(place)))
+        self.enter(packed, place).with(SMALL, self.width, u128::from(place))
     }
 
     fn object_to(&self, packed: Packed, object: usize, place: Place) -> Packed {
-        let shift = self.object_shift(object);
-        Packed(with(self.enter(packed, place).0, shift, self.width, u128::from(place)))
+        self.enter(packed, place).with(self.object_shift(object), self.width, u128::from(place))
     }
 
     /// Notes that a door was tried, if the place belongs to one, and found open.
     #[inline]
     fn enter(&self, packed: Packed, place: Place) -> Packed {
         match self.layout.door(place).map(|d| self.doors[d]) {
-            Some(DoorLock::Field { shift }) => {
-                Packed(with(packed.0, shift, SMALL, Lock::Unlocked as u128))
-            }
+            Some(DoorLock::Field { shift }) => packed.with(shift, SMALL, Lock::Unlocked as u128),
             _ => packed,
         }
+    }
+
+    /// Where the lock of the door is that a place belongs to, if nobody tried that door.
+    #[inline]
+    pub(super) fn untried(&self, packed: Packed, place: Place) -> Option<u32> {
+        if place == NOWHERE {
+            return None;
+        }
+        match self.doors[self.layout.door(place)?] {
+            DoorLock::Field { shift } if is_unknown(packed, shift) => Some(shift),
+            _ => None,
+        }
+    }
+
+    /// Whether nothing is left to chance from a state on.
+    #[must_use]
+    pub fn is_deterministic(&self, packed: Packed) -> bool {
+        let chances = self.rules.chances;
+        let sure = |p: f64| p == 0.0 || p == 1.0;
+        let untried = |door: &DoorLock| match *door {
+            DoorLock::Field { shift } => is_unknown(packed, shift),
+            DoorLock::Fixed { .. } => false,
+        };
+        sure(chances.slip())
+            && (sure(chances.lock()) || !self.doors.iter().any(untried))
+            && (sure(chances.loss())
+                || !(0..self.n_objects()).any(|o| self.rules.movable.allows(o)))
     }
 
     #[inline]
@@ -309,24 +312,36 @@ impl Dynamics {
     }
 }
 
+/// What an action tries in a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Attempt {
+    /// Where it ends when nothing moves; the robot may have turned.
+    pub(super) still: Packed,
+    /// Where it ends when all goes well, with the doors on the way open.
+    pub(super) moved: Packed,
+    /// The places that the robot and the object move to, or [`NOWHERE`].
+    pub(super) entered: [Place; 2],
+    /// Whether an object moves.
+    pub(super) carries: bool,
+}
+
+impl Attempt {
+    /// An action that moves nothing.
+    const fn still(still: Packed) -> Self {
+        Self { still, moved: still, entered: [NOWHERE; 2], carries: false }
+    }
+}
+
 fn direction(packed: Packed) -> Direction {
-    Direction::ALL[usize::from(field(packed, 0, SMALL))]
+    Direction::ALL[usize::from(packed.field(0, SMALL))]
 }
 
 #[inline]
-fn facing(packed: Packed, direction: Direction) -> Packed {
-    Packed(with(packed.0, 0, SMALL, direction as u128))
+const fn facing(packed: Packed, direction: Direction) -> Packed {
+    packed.with(0, SMALL, direction as u128)
 }
 
 #[inline]
-fn field(packed: Packed, shift: u32, width: u32) -> Place {
-    let mask = (1 << width) - 1;
-    ((packed.0 >> shift) & mask) as Place
-}
-
-/// `word` with `value` in the `width` bits from `shift`.
-#[inline]
-const fn with(word: u128, shift: u32, width: u32, value: u128) -> u128 {
-    let mask = ((1 << width) - 1) << shift;
-    (word & !mask) | (value << shift)
+const fn is_unknown(packed: Packed, shift: u32) -> bool {
+    packed.field(shift, SMALL) == Lock::Unknown as Place
 }

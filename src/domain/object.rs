@@ -28,6 +28,17 @@ impl Direction {
         }
     }
 
+    /// The direction one looks in after a quarter turn to the left.
+    #[must_use]
+    pub const fn left(self) -> Self {
+        match self {
+            Self::North => Self::West,
+            Self::West => Self::South,
+            Self::South => Self::East,
+            Self::East => Self::North,
+        }
+    }
+
     /// The direction one looks in after turning round.
     #[must_use]
     pub const fn opposite(self) -> Self {

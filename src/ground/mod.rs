@@ -15,6 +15,6 @@ pub use denote::Failure;
 pub use explain::{Explanation, explain};
 pub use goal::{Formula, Goal, GoalError};
 pub use predicate::{Class, Meaning, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
-pub use task::{Task, TaskError};
+pub use task::{Task, TaskError, World};
 pub use thing::{Entity, Thing};
 pub use validate::{PairId, Side, Validator};

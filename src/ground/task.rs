@@ -35,7 +35,7 @@ impl Task {
         initial.check()?;
         let dynamics = Dynamics::new(initial, rules)?;
         let start = dynamics.pack(initial)?;
-        let goal = Compiled::new(goal, &dynamics, initial, start);
+        let goal = Compiled::new(goal, &dynamics, initial, dynamics.quotient(start));
         Ok(Self { dynamics, goal, start })
     }
 
@@ -52,13 +52,31 @@ impl Task {
         self.goal.is_impossible()
     }
 
-    /// The states that actions lead through from the initial one, which comes first.
+    /// Whether nothing is left to chance: every action has one outcome in every state.
+    #[must_use]
+    pub fn is_deterministic(&self) -> bool {
+        self.dynamics.is_deterministic(self.start)
+    }
+
+    /// The same problem with no two states taken for one: what a person watches. A policy for the task is
+    /// asked about the [`Dynamics::quotient`] of these states.
+    #[must_use]
+    pub const fn world(&self) -> World<'_> {
+        World(self)
+    }
+
+    /// The states that actions lead through from the initial one, which comes first, when each has its
+    /// likeliest outcome.
     #[must_use]
     pub fn replay(&self, actions: &[Action]) -> Vec<State> {
         let mut packed = self.start;
+        let mut outcomes = Vec::new();
         let mut states = vec![self.dynamics.unpack(packed)];
         for &action in actions {
-            packed = self.dynamics.step(packed, action);
+            outcomes.clear();
+            self.dynamics.outcomes(packed, action, &mut outcomes);
+            let first = (packed, 0.0);
+            packed = outcomes.iter().fold(first, |best, &o| if o.1 > best.1 { o } else { best }).0;
             states.push(self.dynamics.unpack(packed));
         }
         states
@@ -78,7 +96,21 @@ impl Mdp for Task {
     }
 
     fn successors(&self, state: Packed, action: Action, out: &mut Vec<(Packed, f64)>) {
-        out.push((self.dynamics.quotient(self.dynamics.step(state, action)), 1.0));
+        let from = out.len();
+        self.dynamics.outcomes(state, action, out);
+        let mut kept = from;
+        for at in from..out.len() {
+            let (packed, probability) = out[at];
+            let packed = self.dynamics.quotient(packed);
+            match out[from..kept].iter_mut().find(|o| o.0 == packed) {
+                Some(known) => known.1 += probability,
+                None => {
+                    out[kept] = (packed, probability);
+                    kept += 1;
+                }
+            }
+        }
+        out.truncate(kept);
     }
 
     fn is_terminal(&self, state: Packed) -> bool {
@@ -87,5 +119,34 @@ impl Mdp for Task {
 
     fn heuristic(&self, state: Packed) -> Option<u32> {
         self.goal.bound(&self.dynamics, state)
+    }
+}
+
+/// A task in which every state is told from every other; see [`Task::world`].
+#[derive(Clone, Copy, Debug)]
+pub struct World<'a>(&'a Task);
+
+impl Mdp for World<'_> {
+    type State = Packed;
+    type Action = Action;
+
+    fn initial(&self) -> Packed {
+        self.0.start
+    }
+
+    fn actions(&self) -> &[Action] {
+        self.0.actions()
+    }
+
+    fn successors(&self, state: Packed, action: Action, out: &mut Vec<(Packed, f64)>) {
+        self.0.dynamics.outcomes(state, action, out);
+    }
+
+    fn is_terminal(&self, state: Packed) -> bool {
+        self.0.is_terminal(state)
+    }
+
+    fn heuristic(&self, state: Packed) -> Option<u32> {
+        self.0.heuristic(state)
     }
 }

@@ -128,7 +128,7 @@ impl Planner {
         }
         let task = Goal::new(terms, form, pre)
             .ok()
-            .and_then(|goal| Some((Task::new(&goal, pre, Rules { pull: false }).ok()?, goal)));
+            .and_then(|goal| Some((Task::new(&goal, pre, Rules::default()).ok()?, goal)));
         let Some((task, goal)) = task else { return false };
         if task.is_impossible() {
             return false;

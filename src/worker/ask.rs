@@ -46,7 +46,11 @@ impl Asking {
                         return Some(Ok(answer));
                     }
                 };
-                let task = match Task::new(&goal, &self.state, Rules { pull: self.pull }) {
+                let task = match Task::new(
+                    &goal,
+                    &self.state,
+                    Rules { pull: self.pull, ..Rules::default() },
+                ) {
                     Ok(task) => task,
                     Err(error) => return Some(Err(error)),
                 };

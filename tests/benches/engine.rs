@@ -118,6 +118,6 @@ fn plan() {
     let mut terms = Terms::new();
     let goal = read(&mut terms, MOVE_ALL).unwrap();
     let goal = Goal::new(&terms, goal, &initial).unwrap();
-    let task = Task::new(&goal, &initial, Rules { pull: true }).unwrap();
+    let task = Task::new(&goal, &initial, Rules { pull: true, ..Rules::default() }).unwrap();
     black_box(AStar::new(&task, Budget::default()).run());
 }

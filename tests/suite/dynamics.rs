@@ -1,5 +1,10 @@
 //! What actions do, on drawings; packing and its limits; what the planner may take for the same state.
 
+#[path = "dynamics/chances.rs"]
+pub(crate) mod chances;
+#[path = "dynamics/plain.rs"]
+mod plain;
+
 use groundling::domain::{Action, Dynamics, Plan, Rules, State, generate, text};
 
 #[test]
@@ -12,7 +17,7 @@ fn every_drawing_moves_as_drawn() {
         let (drawings, remarks): (Vec<&str>, Vec<&str>) = lines.partition(|l| l.contains("   "));
         let side = |i| drawings.iter().map(|l| l.split("   ").nth(i).unwrap()).collect::<Vec<_>>();
         let (before, after) = (world(&side(0), &remarks), world(&side(1), &remarks));
-        let rules = Rules { pull: !remarks.contains(&"no pull") };
+        let rules = Rules { pull: !remarks.contains(&"no pull"), ..Rules::default() };
         let dynamics = Dynamics::new(&before, rules).unwrap();
         let mut packed = dynamics.pack(&before).unwrap();
         for action in actions.split(' ') {
@@ -74,7 +79,7 @@ fn packing_is_undone_by_unpacking() {
 #[test]
 fn a_step_from_a_legal_state_ends_in_one() {
     for (seed, state) in (0u64..).zip(worlds(100)) {
-        let dynamics = Dynamics::new(&state, Rules { pull: true }).unwrap();
+        let dynamics = Dynamics::new(&state, Rules { pull: true, ..Rules::default() }).unwrap();
         let mut packed = dynamics.pack(&state).unwrap();
         for i in 0..300 {
             let draw = (seed * 7919 + i * i * 31 + i) % 1009 % 5;
@@ -88,7 +93,7 @@ fn a_step_from_a_legal_state_ends_in_one() {
 fn states_taken_for_the_same_stay_the_same() {
     for pull in [false, true] {
         for (seed, state) in (0u64..).zip(worlds(60)) {
-            let dynamics = Dynamics::new(&state, Rules { pull }).unwrap();
+            let dynamics = Dynamics::new(&state, Rules { pull, ..Rules::default() }).unwrap();
             let mut real = dynamics.pack(&state).unwrap();
             let mut merged = dynamics.quotient(real);
             for i in 0..200 {

@@ -21,7 +21,7 @@ fn goal(text: &str, initial: &State) -> Goal {
 
 /// The length of a shortest plan, after its actions were seen to reach the goal.
 fn planned(goal: &Goal, initial: &State, pull: bool) -> Option<usize> {
-    let task = Task::new(goal, initial, Rules { pull }).unwrap();
+    let task = Task::new(goal, initial, Rules { pull, ..Rules::default() }).unwrap();
     match AStar::new(&task, Budget::default()).run() {
         Outcome::Plan(plan) => {
             assert_eq!(plan.states.len(), plan.actions.len() + 1);
@@ -66,7 +66,8 @@ fn step(state: &State, action: Action) -> State {
         Action::South => Direction::South,
         Action::East => Direction::East,
         Action::West => Direction::West,
-        Action::Pull => state.agent.direction,
+        Action::Pull | Action::Forward => state.agent.direction,
+        Action::TurnLeft | Action::TurnRight => panic!("an action of the robot form"),
     };
     let (dx, dy) = direction.step();
     let (ahead, beyond) = ((x + dx, y + dy), (x + 2 * dx, y + 2 * dy));
@@ -215,15 +216,16 @@ fn plans_are_as_short_as_a_breadth_first_search_finds() {
 
 #[test]
 fn tasks_keep_the_promises_of_a_problem() {
-    for seed in 0..40 {
-        let n = 1 + u32::from(seed % 4 == 0);
-        let state = world(seed, n);
+    for seed in 0..120 {
+        let (state, rules) = crate::dynamics::chances::random(seed);
         for text in goals(&state).iter().skip(seed as usize % 3).step_by(3) {
             let goal = goal(text, &state);
-            let task = Task::new(&goal, &state, Rules { pull: seed % 2 == 0 }).unwrap();
+            let task = Task::new(&goal, &state, rules).unwrap();
             let is_legal = |s| task.dynamics().unpack(s).check().is_ok();
-            let seen = mdp::check(&task, 2_000, is_legal);
-            assert!(seen.is_ok(), "{text}\n{}: {seen:?}", text::print(&state));
+            let seen = mdp::check(&task, 1_000, is_legal);
+            assert!(seen.is_ok(), "{text} {rules:?}\n{}: {seen:?}", text::print(&state));
+            let seen = mdp::check(&task.world(), 300, is_legal);
+            assert!(seen.is_ok(), "{text} {rules:?}\n{}: {seen:?}", text::print(&state));
         }
     }
 }
@@ -234,7 +236,7 @@ fn the_test_on_packed_states_agrees_with_the_goal() {
         let state = world(seed, 1 + (seed % 3) as u32);
         for text in goals(&state) {
             let goal = goal(&text, &state);
-            let task = Task::new(&goal, &state, Rules { pull: true }).unwrap();
+            let task = Task::new(&goal, &state, Rules { pull: true, ..Rules::default() }).unwrap();
             let mut packed = task.dynamics().pack(&state).unwrap();
             for i in 0..60 {
                 let real = task.dynamics().unpack(packed);

@@ -141,5 +141,5 @@ fn rules(question: &Question<'_>) -> Result<Rules, String> {
             return Err(format!("solver: `{other}` is unknown: use auto, astar, vi, lrtdp or uct"));
         }
     }
-    Ok(Rules { pull: question.pull.unwrap_or(false) })
+    Ok(Rules { pull: question.pull.unwrap_or(false), ..Rules::default() })
 }

@@ -29,7 +29,7 @@ fn cases(terms: &mut Terms) -> Vec<Case> {
         if length == Some(0) {
             continue;
         }
-        let task = Task::new(&goal, &world, Rules { pull: false }).unwrap();
+        let task = Task::new(&goal, &world, Rules::default()).unwrap();
         let end = match AStar::new(&task, Budget::default()).run() {
             Outcome::Plan(plan) => task.replay(&plan.actions).pop().unwrap(),
             _ => world.clone(),
@@ -46,7 +46,7 @@ fn a_search_within_a_horizon_finds_plans_of_just_so_many_actions() {
     let mut terms = Terms::new();
     for Case { world, form, length, .. } in cases(&mut terms) {
         let goal = Goal::new(&terms, form, &world).unwrap();
-        let task = Task::new(&goal, &world, Rules { pull: false }).unwrap();
+        let task = Task::new(&goal, &world, Rules::default()).unwrap();
         let within = |n| match AStar::within(&task, Budget::default(), n).run() {
             Outcome::Plan(plan) => Some(plan.actions.len() as u32),
             Outcome::Unreachable => None,

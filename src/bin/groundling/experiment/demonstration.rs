@@ -125,7 +125,7 @@ fn carry_out(
     world: &State,
 ) -> Result<(Vec<&'static str>, bool), String> {
     let goal = Goal::new(terms, form, world).map_err(|e| e.to_string())?;
-    let task = Task::new(&goal, world, Rules { pull: false }).map_err(|e| e.to_string())?;
+    let task = Task::new(&goal, world, Rules::default()).map_err(|e| e.to_string())?;
     if task.is_impossible() && !goal.failures().is_empty() {
         return Err("no_referent".to_owned());
     }
