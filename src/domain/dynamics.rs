@@ -78,6 +78,12 @@ impl Dynamics {
         self.origin.objects.len()
     }
 
+    /// Whether the object with this index can ever be moved: it may be, and is not lost each time.
+    #[must_use]
+    pub fn can_move(&self, object: usize) -> bool {
+        self.rules.movable.allows(object) && self.rules.chances.loss() < 1.0
+    }
+
     /// The actions of this world, in the order of ties.
     #[must_use]
     pub fn actions(&self) -> &'static [Action] {
@@ -112,7 +118,7 @@ impl Dynamics {
     pub fn unpack(&self, packed: Packed) -> State {
         let mut state = self.origin.clone();
         (state.agent.x, state.agent.y) = self.layout.cell(self.agent(packed));
-        state.agent.direction = direction(packed);
+        state.agent.direction = self.heading(packed);
         for (i, object) in state.objects.iter_mut().enumerate() {
             (object.x, object.y) = self.layout.cell(self.object(packed, i));
         }
@@ -122,6 +128,13 @@ impl Dynamics {
             }
         }
         state
+    }
+
+    /// The direction that the agent faces.
+    #[inline]
+    #[must_use]
+    pub fn heading(&self, packed: Packed) -> Direction {
+        Direction::ALL[usize::from(packed.field(0, SMALL))]
     }
 
     /// Where the agent is.
@@ -194,7 +207,7 @@ impl Dynamics {
                     object.is_none_or(|o| !self.rules.movable.allows(o))
                 };
                 match Direction::ALL.iter().find(|d| idle(**d)) {
-                    Some(&first) if idle(direction(packed)) => facing(result, first),
+                    Some(&first) if idle(self.heading(packed)) => facing(result, first),
                     _ => result,
                 }
             }
@@ -203,7 +216,7 @@ impl Dynamics {
 
     /// What an action tries, before anything goes wrong.
     pub(super) fn attempt(&self, packed: Packed, action: Action) -> Attempt {
-        let heading = direction(packed);
+        let heading = self.heading(packed);
         match (self.rules.step(action, heading), self.rules.form, action) {
             (Some(side), ..) => self.go(packed, side),
             (None, _, Action::Pull) if self.rules.pull => self.pull(packed, heading),
@@ -330,10 +343,6 @@ impl Attempt {
     const fn still(still: Packed) -> Self {
         Self { still, moved: still, entered: [NOWHERE; 2], carries: false }
     }
-}
-
-fn direction(packed: Packed) -> Direction {
-    Direction::ALL[usize::from(packed.field(0, SMALL))]
 }
 
 #[inline]

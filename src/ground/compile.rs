@@ -1,6 +1,7 @@
 //! A goal compiled to a test on packed states, with a lower bound on the actions that are still needed:
 //! an atom's is exact in an empty world (`distance`), a conjunction's the largest of its parts, a
 //! disjunction's the smallest. Negations stand at the atoms only, where they turn the places that fulfil it.
+//! An object that never moves is a cell: what is said of it and a thing is said of that thing alone.
 
 use super::distance::{Ground, Table};
 use super::goal::{Formula, Goal};
@@ -35,7 +36,7 @@ enum Body {
 #[derive(Clone, Copy, Debug)]
 struct Atom {
     first: Body,
-    /// The second thing of a relation between two; for `in`, the first once more.
+    /// The second thing of a relation between two; of what is said of one thing, the first once more.
     second: Body,
     /// Its wish and table.
     table: usize,
@@ -44,36 +45,56 @@ struct Atom {
 /// What an atom wants of the places of its things, whichever these are; the key of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Wish {
-    Inside { region: Bounds, robot: bool, wanted: bool },
-    Beside { relation: Relation, robot: bool, wanted: bool },
+    Inside {
+        region: Bounds,
+        robot: bool,
+        wanted: bool,
+    },
+    /// The thing stands in a relation to whatever is in a cell.
+    Next {
+        relation: Relation,
+        cell: (i32, i32),
+        robot: bool,
+        wanted: bool,
+    },
+    Beside {
+        relation: Relation,
+        robot: bool,
+        wanted: bool,
+    },
 }
 
 impl Wish {
-    /// Whether things in these two cells (the same twice for `in`) are as wished.
+    /// Whether things in these two cells (the same twice for what is said of one) are as wished.
     #[inline]
     fn holds(self, first: (i32, i32), second: (i32, i32)) -> bool {
-        let (dx, dy) = (second.0 - first.0, second.1 - first.1);
         match self {
             Self::Inside { region, wanted, .. } => {
                 region.strictly_inside(first.0, first.1) == wanted
             }
-            Self::Beside { relation, wanted, .. } => {
-                wanted
-                    == match relation {
-                        Relation::Left => (dx, dy) == (1, 0),
-                        Relation::Right => (dx, dy) == (-1, 0),
-                        Relation::Near => dx.abs().max(dy.abs()) == 1,
-                        Relation::In | Relation::Eq => false,
-                    }
-            }
+            Self::Next { relation, cell, wanted, .. } => stand(relation, first, cell) == wanted,
+            Self::Beside { relation, wanted, .. } => stand(relation, first, second) == wanted,
         }
+    }
+}
+
+/// Whether things in two cells stand in a relation.
+#[inline]
+fn stand(relation: Relation, first: (i32, i32), second: (i32, i32)) -> bool {
+    let (dx, dy) = (second.0 - first.0, second.1 - first.1);
+    match relation {
+        Relation::Left => (dx, dy) == (1, 0),
+        Relation::Right => (dx, dy) == (-1, 0),
+        Relation::Near => dx.abs().max(dy.abs()) == 1,
+        Relation::In | Relation::Eq => false,
     }
 }
 
 impl Compiled {
     /// Compiles a goal for the world of `dynamics` as it is in `state`, packed in `initial`.
     pub(super) fn new(goal: &Goal, dynamics: &Dynamics, state: &State, initial: Packed) -> Self {
-        let mut compiler = Compiler { things: Thing::all(state), atoms: Vec::new() };
+        let things = Thing::all(state);
+        let mut compiler = Compiler { things, dynamics, atoms: Vec::new() };
         let root = compiler.node(goal.formula(), true);
         let ground = Ground::new(dynamics, initial);
         let mut compiled = Self { root, atoms: Vec::new(), tables: Vec::new() };
@@ -124,12 +145,8 @@ impl Compiled {
             Node::Atom(index) => {
                 let atom = &self.atoms[*index];
                 let at = |body| place(body, dynamics, packed);
-                let (wish, table) = &self.tables[atom.table];
-                let (first, second) = match wish {
-                    Wish::Inside { robot: false, .. } => (Body::Agent, atom.first),
-                    _ => (atom.first, atom.second),
-                };
-                table.bound(at(Body::Agent), at(first), at(second))
+                let robot = (dynamics.agent(packed), dynamics.heading(packed));
+                self.tables[atom.table].1.bound(robot, at(atom.first), at(atom.second))
             }
         }
     }
@@ -147,15 +164,18 @@ fn table(wish: Wish, dynamics: &Dynamics, ground: &Ground<'_>) -> Table {
     let cell = |p: Place| dynamics.layout().cell(p);
     let holds = |a: Place, b: Place| wish.holds(cell(a), cell(b));
     match wish {
-        Wish::Inside { robot: true, .. } => ground.single(|p| holds(p, p)),
-        Wish::Inside { robot: false, .. } => ground.with_object(|_, object| holds(object, object)),
-        Wish::Beside { robot: true, .. } => ground.with_object(holds),
+        Wish::Inside { robot: true, .. } | Wish::Next { robot: true, .. } => {
+            ground.robot(|p| holds(p, p))
+        }
+        Wish::Inside { .. } | Wish::Next { .. } => ground.carry(|_, object| holds(object, object)),
+        Wish::Beside { robot: true, .. } => ground.carry(holds),
         Wish::Beside { robot: false, .. } => ground.two_objects(holds),
     }
 }
 
 struct Compiler<'s> {
     things: Vec<Thing<'s>>,
+    dynamics: &'s Dynamics,
     atoms: Vec<(Body, Body, Wish)>,
 }
 
@@ -203,35 +223,51 @@ impl Compiler<'_> {
 
     fn relation(&mut self, relation: Relation, a: &Entity, b: &Entity, wanted: bool) -> Node {
         let (Some(a), Some(b)) = (self.find(a), self.find(b)) else { return constant(!wanted) };
-        let is_robot = |body| body == Body::Agent;
         match (relation, self.body(a), self.body(b), self.things[b].bounds()) {
             (Relation::Eq, ..) => constant((a == b) == wanted),
             (Relation::In, Some(body), _, Some(region)) => {
-                self.atom(body, body, Wish::Inside { region, robot: is_robot(body), wanted })
+                let wish = Wish::Inside { region, robot: body == Body::Agent, wanted };
+                self.atom((a, body), (a, body), wish)
             }
             (Relation::Near | Relation::Left | Relation::Right, Some(first), Some(second), _)
                 if first != second =>
             {
-                // The robot comes first.
+                // The robot comes first, and what never moves last.
                 let turned = match relation {
                     Relation::Left => Relation::Right,
                     Relation::Right => Relation::Left,
                     other => other,
                 };
-                let robot = is_robot(first) || is_robot(second);
-                if is_robot(second) {
-                    let wish = Wish::Beside { relation: turned, robot, wanted };
-                    self.atom(second, first, wish)
-                } else {
-                    self.atom(first, second, Wish::Beside { relation, robot, wanted })
+                let (a, b, relation) =
+                    if second == Body::Agent || (self.is_fixed(first) && first != Body::Agent) {
+                        ((b, second), (a, first), turned)
+                    } else {
+                        ((a, first), (b, second), relation)
+                    };
+                let robot = a.1 == Body::Agent;
+                match self.things[b.0].cell().filter(|_| self.is_fixed(b.1)) {
+                    Some(cell) => self.atom(a, a, Wish::Next { relation, cell, robot, wanted }),
+                    None => self.atom(a, b, Wish::Beside { relation, robot, wanted }),
                 }
             }
             _ => constant(!wanted),
         }
     }
 
-    fn atom(&mut self, first: Body, second: Body, wish: Wish) -> Node {
-        self.atoms.push((first, second, wish));
+    /// Whether it stays where it is for ever.
+    fn is_fixed(&self, body: Body) -> bool {
+        matches!(body, Body::Object(object) if !self.dynamics.can_move(object))
+    }
+
+    /// A wish about two bodies, each with its index among the things; known at once when neither moves.
+    fn atom(&mut self, first: (usize, Body), second: (usize, Body), wish: Wish) -> Node {
+        if self.is_fixed(first.1)
+            && self.is_fixed(second.1)
+            && let (Some(a), Some(b)) = (self.things[first.0].cell(), self.things[second.0].cell())
+        {
+            return constant(wish.holds(a, b));
+        }
+        self.atoms.push((first.1, second.1, wish));
         Node::Atom(self.atoms.len() - 1)
     }
 

@@ -1,51 +1,61 @@
 //! Lower bounds on the way to an atomic goal, exact in a world with nothing in it but the things the atom
-//! speaks of, and without regard to where the robot faces (a projection, so admissible and consistent:
-//! Edelkamp 2001). Found once by breadth-first search backwards from the places that fulfil the atom.
-//! Units: actions. A door that is locked is wall; one that nobody tried opens.
+//! speaks of and what never moves (a projection, so admissible and consistent: Edelkamp 2001); where the robot
+//! faces counts in the robot form, and not in compass form. Found once by breadth-first search backwards from
+//! the places that fulfil the atom. Units: actions. A door that is locked is wall; one that nobody tried opens.
+//! Slips, doors that lock and losses only make the way longer.
 
 use crate::domain::layout::{NOWHERE, Place};
-use crate::domain::{Direction, Dynamics, Packed};
+use crate::domain::{Direction, Dynamics, Form, Packed};
 use std::collections::VecDeque;
 
 /// Out of reach.
 const NEVER: u16 = u16::MAX;
 
-/// Most pairs of places that a table holds; above it bounds are weaker.
-const MAX_PAIRS: usize = 4_000_000;
+/// Most entries of a table; above it bounds are weaker.
+const MAX_ENTRIES: usize = 4_000_000;
 
-/// The places of a world at the outset and how one moves between them.
+/// The places of a world at the outset and how one moves between them. A pose is a place of the robot, in the
+/// robot form times its heading.
 pub(super) struct Ground<'a> {
     dynamics: &'a Dynamics,
     pull: bool,
+    /// 4 in the robot form, 1 in compass form, where the heading does not count.
+    headings: usize,
     /// Whether a place can be entered.
     opens: Vec<bool>,
 }
 
-/// Actions still needed, by place or by pair of places.
+/// Actions still needed, by pose or places.
 #[derive(Clone, Debug)]
 pub(super) enum Table {
-    /// By the place of one thing.
-    Single(Vec<u16>),
-    /// By the places of two things, the first times the number of places.
-    Pair { n: usize, rest: Vec<u16> },
-    /// Moves of either of two things by their places, and the steps of a robot up to a thing by theirs.
+    /// By the robot's pose.
+    Robot { headings: usize, rest: Vec<u16> },
+    /// By the robot's pose, times the number of places, and an object's place.
+    Carry { headings: usize, n: usize, rest: Vec<u16> },
+    /// Moves of either of two objects by their places, and the steps of a robot up to an object by theirs.
     Fetch { n: usize, moves: Vec<u16>, steps: Vec<u16> },
     /// Nothing is known but whether it is fulfilled.
     Unknown,
 }
 
 impl Table {
-    /// The bound for the thing, or for two things with the robot, at these places; `None` for never.
+    /// The bound for the robot with an object, or with two, at these places; `None` for never.
     #[inline]
-    pub(super) fn bound(&self, agent: Place, first: Place, second: Place) -> Option<u32> {
+    pub(super) fn bound(
+        &self,
+        robot: (Place, Direction),
+        first: Place,
+        second: Place,
+    ) -> Option<u32> {
         let finite = |d: u16| (d != NEVER).then_some(u32::from(d));
-        let (agent, first, second) = (usize::from(agent), usize::from(first), usize::from(second));
+        let (first, second) = (usize::from(first), usize::from(second));
         match self {
-            Self::Single(rest) => finite(rest[first]),
-            Self::Pair { n, rest } => finite(rest[first * n + second]),
+            Self::Robot { headings, rest } => finite(rest[pose(*headings, robot)]),
+            Self::Carry { headings, n, rest } => finite(rest[pose(*headings, robot) * n + second]),
             Self::Fetch { n, moves, steps } => match finite(moves[first * n + second])? {
                 0 => Some(0),
                 moves => {
+                    let agent = usize::from(robot.0);
                     let walk = steps[agent * n + first].min(steps[agent * n + second]);
                     Some(moves + finite(walk)?.saturating_sub(1))
                 }
@@ -55,56 +65,84 @@ impl Table {
     }
 }
 
+#[inline]
+fn pose(headings: usize, (place, heading): (Place, Direction)) -> usize {
+    usize::from(place) * headings + heading as usize % headings
+}
+
 impl<'a> Ground<'a> {
     pub(super) fn new(dynamics: &'a Dynamics, initial: Packed) -> Self {
-        let opens = dynamics.layout().places().map(|p| dynamics.opens(initial, p)).collect();
-        Self { dynamics, pull: dynamics.rules().pull, opens }
+        let layout = dynamics.layout();
+        let mut opens: Vec<bool> = layout.places().map(|p| dynamics.opens(initial, p)).collect();
+        for object in (0..dynamics.n_objects()).filter(|&o| !dynamics.can_move(o)) {
+            opens[usize::from(dynamics.object(initial, object))] = false;
+        }
+        let headings = match dynamics.rules().form {
+            Form::Compass => 1,
+            Form::Robot => 4,
+        };
+        Self { dynamics, pull: dynamics.rules().pull, headings, opens }
     }
 
     /// How many places there are.
-    pub(super) fn len(&self) -> usize {
+    fn len(&self) -> usize {
         self.opens.len()
     }
 
-    /// Steps of one thing, moved by itself, to a place that fulfils `goal`.
-    pub(super) fn single(&self, goal: impl Fn(Place) -> bool) -> Table {
-        Table::Single(self.steps_to(goal))
+    /// Actions of the robot to a place that fulfils `goal`.
+    pub(super) fn robot(&self, goal: impl Fn(Place) -> bool) -> Table {
+        let goals = self.places().filter(|&p| goal(p)).map(|p| (p, 0));
+        let mut search = Search::new(self, self.headings, 1, goals);
+        while let Some((agent, heading, _)) = search.next() {
+            for &direction in self.arrivals(heading) {
+                let before = self.next(agent, direction.opposite());
+                if before != NOWHERE && self.is_open(agent) {
+                    search.reach((before, direction), 0);
+                }
+            }
+            search.turn(agent, heading, 0);
+        }
+        Table::Robot { headings: self.headings, rest: search.rest }
     }
 
     /// Actions of the robot (first) with one object (second) until both are where `goal` wants them.
-    pub(super) fn with_object(&self, goal: impl Fn(Place, Place) -> bool) -> Table {
-        if !self.has_room() {
+    pub(super) fn carry(&self, goal: impl Fn(Place, Place) -> bool) -> Table {
+        if !self.has_room(self.headings) {
             return Table::Unknown;
         }
-        let mut search = Search::new(self, goal);
-        while let Some((agent, object)) = search.next() {
-            for &direction in Direction::ALL {
+        let n = self.len();
+        let mut search = Search::new(self, self.headings, n, self.pairs(goal));
+        while let Some((agent, heading, object)) = search.next() {
+            let enters = self.is_open(agent);
+            let swaps = self.pull && enters && self.is_open(object);
+            for &direction in self.arrivals(heading) {
                 let before = self.next(agent, direction.opposite());
-                if before == NOWHERE || !self.is_open(agent) {
-                    continue;
+                let faces = self.next(agent, direction) == object;
+                if enters && before != NOWHERE {
+                    if before != object {
+                        search.reach((before, direction), object);
+                    }
+                    if faces && self.is_open(object) {
+                        search.reach((before, direction), agent);
+                    }
                 }
-                if before != object {
-                    search.reach(before, object);
-                }
-                if self.next(agent, direction) == object && self.is_open(object) {
-                    search.reach(before, agent);
+                if swaps && faces {
+                    search.reach((object, direction.opposite()), agent);
                 }
             }
-            let swaps = self.pull && self.is_open(agent) && self.is_open(object);
-            if swaps && Direction::ALL.iter().any(|&d| self.next(agent, d) == object) {
-                search.reach(object, agent);
-            }
+            search.turn(agent, heading, object);
         }
-        Table::Pair { n: self.len(), rest: search.rest }
+        Table::Carry { headings: self.headings, n, rest: search.rest }
     }
 
     /// Moves of two objects, one cell a move, until `goal` holds of them; and the robot's way to one.
     pub(super) fn two_objects(&self, goal: impl Fn(Place, Place) -> bool) -> Table {
-        if !self.has_room() {
+        if !self.has_room(1) {
             return Table::Unknown;
         }
-        let mut search = Search::new(self, goal);
-        while let Some((first, second)) = search.next() {
+        let n = self.len();
+        let mut search = Search::new(self, 1, n, self.pairs(goal));
+        while let Some((first, _, second)) = search.next() {
             for &direction in Direction::ALL {
                 for (moved, other, is_first) in [(first, second, true), (second, first, false)] {
                     let before = self.next(moved, direction);
@@ -113,45 +151,51 @@ impl<'a> Ground<'a> {
                         before != NOWHERE && (self.pull || self.next(before, direction) != NOWHERE);
                     if can_move && before != other && self.is_open(moved) {
                         let (a, b) = if is_first { (before, other) } else { (other, before) };
-                        search.reach(a, b);
+                        search.reach((a, direction), b);
                     }
                 }
             }
         }
-        let n = self.len();
         let mut steps = vec![NEVER; n * n];
-        for to in self.dynamics.layout().places() {
-            for (from, &d) in self.steps_to(|p| p == to).iter().enumerate() {
+        for to in self.places() {
+            for (from, &d) in self.steps_to(to).iter().enumerate() {
                 steps[from * n + usize::from(to)] = d;
             }
         }
         Table::Fetch { n, moves: search.rest, steps }
     }
 
-    fn steps_to(&self, goal: impl Fn(Place) -> bool) -> Vec<u16> {
-        let mut rest = vec![NEVER; self.len()];
-        let mut queue: VecDeque<Place> =
-            self.dynamics.layout().places().filter(|&p| goal(p)).collect();
-        for &place in &queue {
-            rest[usize::from(place)] = 0;
-        }
-        while let Some(place) = queue.pop_front() {
-            if !self.is_open(place) {
-                continue;
-            }
+    /// Steps of the robot to a place, wherever it faces.
+    fn steps_to(&self, to: Place) -> Vec<u16> {
+        let mut search = Search::new(self, 1, 1, std::iter::once((to, 0)));
+        while let Some((place, ..)) = search.next() {
             for &direction in Direction::ALL {
                 let before = self.next(place, direction);
-                if before != NOWHERE && rest[usize::from(before)] == NEVER {
-                    rest[usize::from(before)] = (rest[usize::from(place)] + 1).min(NEVER - 1);
-                    queue.push_back(before);
+                if before != NOWHERE && self.is_open(place) {
+                    search.reach((before, direction), 0);
                 }
             }
         }
-        rest
+        search.rest
     }
 
-    fn has_room(&self) -> bool {
-        self.len().saturating_mul(self.len()) <= MAX_PAIRS
+    fn places(&self) -> impl Iterator<Item = Place> + use<> {
+        self.dynamics.layout().places()
+    }
+
+    /// The places of two things that fulfil a goal.
+    fn pairs(&self, goal: impl Fn(Place, Place) -> bool) -> impl Iterator<Item = (Place, Place)> {
+        let all = self.places().flat_map(|a| self.places().map(move |b| (a, b)));
+        all.filter(move |&(a, b)| a != b && goal(a, b))
+    }
+
+    fn has_room(&self, headings: usize) -> bool {
+        self.len().saturating_mul(self.len()).saturating_mul(headings) <= MAX_ENTRIES
+    }
+
+    /// The directions in which a robot that looks this way may have come.
+    fn arrivals(&self, heading: usize) -> &'static [Direction] {
+        if self.headings == 1 { Direction::ALL } else { &Direction::ALL[heading..=heading] }
     }
 
     fn next(&self, place: Place, direction: Direction) -> Place {
@@ -163,41 +207,57 @@ impl<'a> Ground<'a> {
     }
 }
 
-/// A breadth-first search over pairs of places, backwards from those that fulfil a goal.
+/// A breadth-first search over a robot's poses and a thing's places, backwards from those that fulfil a goal.
 struct Search {
+    headings: usize,
     n: usize,
     rest: Vec<u16>,
-    queue: VecDeque<(Place, Place)>,
+    queue: VecDeque<(usize, Place)>,
     depth: u16,
 }
 
 impl Search {
-    fn new(ground: &Ground<'_>, goal: impl Fn(Place, Place) -> bool) -> Self {
-        let n = ground.len();
-        let mut search = Self { n, rest: vec![NEVER; n * n], queue: VecDeque::new(), depth: NEVER };
-        for first in ground.dynamics.layout().places() {
-            for second in ground.dynamics.layout().places() {
-                if first != second && goal(first, second) {
-                    search.rest[usize::from(first) * n + usize::from(second)] = 0;
-                    search.queue.push_back((first, second));
-                }
+    /// From the goal's places, with any heading; the thing has `n` places.
+    fn new(
+        ground: &Ground<'_>,
+        headings: usize,
+        n: usize,
+        goals: impl Iterator<Item = (Place, Place)>,
+    ) -> Self {
+        let rest = vec![NEVER; ground.len() * headings * n];
+        let mut search = Self { headings, n, rest, queue: VecDeque::new(), depth: 0 };
+        for (agent, thing) in goals {
+            for &heading in &Direction::ALL[..headings] {
+                search.reach((agent, heading), thing);
             }
         }
         search
     }
 
-    fn next(&mut self) -> Option<(Place, Place)> {
-        let (first, second) = self.queue.pop_front()?;
-        let depth = self.rest[usize::from(first) * self.n + usize::from(second)];
-        self.depth = (depth + 1).min(NEVER - 1);
-        Some((first, second))
+    /// The next place and heading of the robot, and place of the thing.
+    fn next(&mut self) -> Option<(Place, usize, Place)> {
+        let (pose, thing) = self.queue.pop_front()?;
+        self.depth = (self.rest[pose * self.n + usize::from(thing)] + 1).min(NEVER - 1);
+        // A pose is made from a place, times at most four.
+        let place = Place::try_from(pose / self.headings).unwrap_or(NOWHERE);
+        Some((place, pose % self.headings, thing))
     }
 
-    fn reach(&mut self, first: Place, second: Place) {
-        let rest = &mut self.rest[usize::from(first) * self.n + usize::from(second)];
+    fn reach(&mut self, robot: (Place, Direction), thing: Place) {
+        let pose = pose(self.headings, robot);
+        let rest = &mut self.rest[pose * self.n + usize::from(thing)];
         if *rest == NEVER {
             *rest = self.depth;
-            self.queue.push_back((first, second));
+            self.queue.push_back((pose, thing));
+        }
+    }
+
+    /// Reaches what lies a quarter turn before.
+    fn turn(&mut self, agent: Place, heading: usize, thing: Place) {
+        if self.headings > 1 {
+            let left = Direction::ALL[heading].left();
+            self.reach((agent, left), thing);
+            self.reach((agent, left.opposite()), thing);
         }
     }
 }

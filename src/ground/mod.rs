@@ -5,6 +5,7 @@ pub mod predicate;
 pub mod thing;
 pub mod denote;
 pub mod goal;
+mod landmarks;
 mod distance;
 mod compile;
 pub mod task;

@@ -3,7 +3,7 @@
 #[path = "dynamics/chances.rs"]
 pub(crate) mod chances;
 #[path = "dynamics/plain.rs"]
-mod plain;
+pub(crate) mod plain;
 
 use groundling::domain::{Action, Dynamics, Plan, Rules, State, generate, text};
 

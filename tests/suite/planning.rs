@@ -1,6 +1,8 @@
 //! Plans are shortest: against the conformance file, and on random worlds against a breadth-first search
 //! that has its own, plain idea of how the world moves.
 
+#[path = "planning/forms.rs"]
+mod forms;
 #[path = "planning/horizon.rs"]
 mod horizon;
 
