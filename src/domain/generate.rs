@@ -66,7 +66,7 @@ fn rooms(plan: &Plan, rng: &mut Pcg64Mcg) -> Vec<Room> {
 }
 
 /// Cuts a rectangle in two that share the wall line of the cut.
-fn cut(b: Bounds, upright: bool, rng: &mut Pcg64Mcg) -> (Bounds, Bounds) {
+pub(super) fn cut(b: Bounds, upright: bool, rng: &mut Pcg64Mcg) -> (Bounds, Bounds) {
     let (from, to) = if upright { (b.left, b.right) } else { (b.bottom, b.top) };
     let narrowest = signed(NARROWEST);
     let at = rng.random_range(from + narrowest..=to - narrowest);
@@ -78,7 +78,7 @@ fn cut(b: Bounds, upright: bool, rng: &mut Pcg64Mcg) -> (Bounds, Bounds) {
 }
 
 /// A door of one cell somewhere in the wall that two rooms share, with floor on both sides.
-fn door(a: &Bounds, b: &Bounds, number: usize, rng: &mut Pcg64Mcg) -> Option<Door> {
+pub(super) fn door(a: &Bounds, b: &Bounds, number: usize, rng: &mut Pcg64Mcg) -> Option<Door> {
     let shared = Bounds {
         left: a.left.max(b.left),
         bottom: a.bottom.max(b.bottom),
@@ -88,7 +88,7 @@ fn door(a: &Bounds, b: &Bounds, number: usize, rng: &mut Pcg64Mcg) -> Option<Doo
     let upright = shared.left == shared.right;
     let (from, to) =
         if upright { (shared.bottom, shared.top) } else { (shared.left, shared.right) };
-    if from + 1 > to - 1 {
+    if !shared.is_ordered() || from + 1 > to - 1 {
         return None;
     }
     let at = rng.random_range(from + 1..=to - 1);
@@ -101,7 +101,7 @@ fn door(a: &Bounds, b: &Bounds, number: usize, rng: &mut Pcg64Mcg) -> Option<Doo
 }
 
 /// Puts the agent and `count` objects of distinct looks on free floor, the objects out of corners.
-fn furnish(state: &mut State, count: u32, rng: &mut Pcg64Mcg) {
+pub(super) fn furnish(state: &mut State, count: u32, rng: &mut Pcg64Mcg) {
     let layout = Layout::new(state);
     let mut floor: Vec<Place> = layout.places().filter(|&p| layout.door(p).is_none()).collect();
     let mut looks: Vec<(Shape, Color)> =
@@ -140,15 +140,15 @@ fn between((from, to): (u32, u32), limits: (u32, u32), rng: &mut Pcg64Mcg) -> u3
 }
 
 /// An index below `len`, which is not 0; drawn as u32, so that it is the same on every target.
-fn index(len: usize, rng: &mut impl Rng) -> usize {
+pub(super) fn index(len: usize, rng: &mut impl Rng) -> usize {
     rng.random_range(0..u32::try_from(len).unwrap_or(u32::MAX)) as usize
 }
 
-fn pick<T: Copy>(all: &[T], rng: &mut impl Rng) -> T {
+pub(super) fn pick<T: Copy>(all: &[T], rng: &mut impl Rng) -> T {
     all[index(all.len(), rng)]
 }
 
 /// A length within the generator's limits.
-fn signed(n: u32) -> i32 {
+pub(super) fn signed(n: u32) -> i32 {
     i32::try_from(n).unwrap_or(i32::MAX)
 }

@@ -9,8 +9,10 @@ pub mod packing;
 pub mod dynamics;
 mod outcomes;
 pub mod generate;
+pub mod blueprint;
 pub mod text;
 
+pub use blueprint::{Blueprint, BlueprintError, Style};
 pub use dynamics::Dynamics;
 pub use generate::{Plan, generate};
 pub use layout::{Cell, Layout, cell_at};

@@ -1,5 +1,8 @@
 //! States: what is legal, what is refused and in which words; and what the generator promises.
 
+#[path = "world/blueprint.rs"]
+mod blueprint;
+
 use groundling::domain::{Color, Direction, Layout, Plan, Shape, State, generate};
 use std::collections::BTreeSet;
 
