@@ -17,6 +17,7 @@ pub mod ground;
 pub mod plan;
 pub mod corpus;
 pub mod learn;
+pub mod study;
 pub mod render;
 pub mod worker;
 pub mod ui;

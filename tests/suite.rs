@@ -37,6 +37,8 @@ mod planning;
 mod learn;
 #[path = "suite/teach.rs"]
 mod teach;
+#[path = "suite/study.rs"]
+mod study;
 #[path = "suite/explain.rs"]
 mod explain;
 #[path = "suite/worker.rs"]

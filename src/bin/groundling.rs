@@ -24,6 +24,8 @@ mod plan;
 mod reduce;
 #[path = "groundling/experiment.rs"]
 mod experiment;
+#[path = "groundling/generate.rs"]
+mod generate;
 
 use command::{Command, Done, Failure};
 use std::ffi::OsString;
@@ -39,6 +41,7 @@ const COMMANDS: &[Command] = &[
     plan::COMMAND,
     reduce::COMMAND,
     experiment::COMMAND,
+    generate::COMMAND,
 ];
 
 fn main() -> ExitCode {

@@ -1,0 +1,7 @@
+//! Studies: the tasks that people are asked to put into words, and the pairs of states that show them.
+
+pub mod tasks;
+pub mod pairs;
+
+pub use pairs::{DrawError, Drawn, draw};
+pub use tasks::{Look, Paint, StudyTask, TASKS, TaskFileError, read_tasks};
