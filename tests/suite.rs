@@ -31,6 +31,8 @@ mod corpus;
 mod goals;
 #[path = "suite/holds.rs"]
 mod holds;
+#[path = "suite/solvers.rs"]
+mod solvers;
 #[path = "suite/planning.rs"]
 mod planning;
 #[path = "suite/learn.rs"]

@@ -7,13 +7,14 @@
 use crate::domain::{Rules, State};
 use crate::ground::{Goal, PairId, Side, Task, Validator};
 use crate::logic::{TermId, Terms};
-use crate::plan::{AStar, Budget, Outcome};
+use crate::mdp::{Budget, Outcome, Settings, Solver};
+use crate::plan::AStar;
 use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 /// States that one call of the planner may expand: more than a room with one object has, so that a search in vain
 /// ends. A call that runs out of it finds no plan.
-pub const CALL_BUDGET: usize = 20_000;
+pub const CALL_BUDGET: u64 = 20_000;
 
 /// The baseline that plans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,16 +134,15 @@ impl Planner {
         if task.is_impossible() {
             return false;
         }
-        let call = Budget { expanded: CALL_BUDGET, ..Budget::default() };
+        let budget = Budget { steps: CALL_BUDGET, ..Budget::default() };
+        let call = Settings { budget, ..Settings::default() };
         let mut search = AStar::within(&task, call, horizon);
         let outcome = search.run();
-        self.cost.expanded += search.expanded() as u64;
+        self.cost.expanded += search.expanded();
         self.cost.given_up += u64::from(outcome == Outcome::Budget);
-        match outcome {
-            Outcome::Plan(plan) => {
+        outcome == Outcome::Solved
+            && search.plan().is_some_and(|plan| {
                 task.replay(&plan.actions).last().is_some_and(|last| goal.holds(last))
-            }
-            Outcome::Unreachable | Outcome::Budget | Outcome::Stochastic => false,
-        }
+            })
     }
 }

@@ -2,9 +2,13 @@
 //! A problem is an [`Mdp`]; a solver holds settings and a policy holds the result.
 
 pub mod problem;
+pub mod solver;
+pub mod start;
 pub mod simulate;
 pub mod check;
 
 pub use check::{Fault, check};
 pub use problem::Mdp;
 pub use simulate::{sample, simulate};
+pub use solver::{Budget, DISCOUNT, Outcome, Policy, Progress, Settings, Solver};
+pub use start::StartingAt;

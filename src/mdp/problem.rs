@@ -2,6 +2,7 @@
 //! terminal state, 0 otherwise (Williams et al., Section III).
 
 use std::hash::Hash;
+use std::rc::Rc;
 
 /// A problem that a planner can solve, knowing nothing else about it.
 pub trait Mdp {
@@ -31,29 +32,35 @@ pub trait Mdp {
     }
 }
 
-/// A problem that is lent is a problem.
-impl<P: Mdp> Mdp for &P {
-    type State = P::State;
-    type Action = P::Action;
+/// A problem that is lent, or shared, is a problem.
+macro_rules! is_a_problem {
+    ($($pointer:ty),*) => {$(
+        impl<P: Mdp> Mdp for $pointer {
+            type State = P::State;
+            type Action = P::Action;
 
-    fn initial(&self) -> Self::State {
-        (**self).initial()
-    }
-    fn actions(&self) -> &[Self::Action] {
-        (**self).actions()
-    }
-    fn successors(
-        &self,
-        state: Self::State,
-        action: Self::Action,
-        out: &mut Vec<(Self::State, f64)>,
-    ) {
-        (**self).successors(state, action, out);
-    }
-    fn is_terminal(&self, state: Self::State) -> bool {
-        (**self).is_terminal(state)
-    }
-    fn heuristic(&self, state: Self::State) -> Option<u32> {
-        (**self).heuristic(state)
-    }
+            fn initial(&self) -> Self::State {
+                (**self).initial()
+            }
+            fn actions(&self) -> &[Self::Action] {
+                (**self).actions()
+            }
+            fn successors(
+                &self,
+                state: Self::State,
+                action: Self::Action,
+                out: &mut Vec<(Self::State, f64)>,
+            ) {
+                (**self).successors(state, action, out);
+            }
+            fn is_terminal(&self, state: Self::State) -> bool {
+                (**self).is_terminal(state)
+            }
+            fn heuristic(&self, state: Self::State) -> Option<u32> {
+                (**self).heuristic(state)
+            }
+        }
+    )*};
 }
+
+is_a_problem!(&P, Rc<P>);

@@ -3,39 +3,10 @@
 //! allocates nothing of its own. Invariants: with an admissible bound the plan is shortest; ties fall to
 //! the node found last among those of the least bound, so the same problem gives the same plan.
 
-use crate::mdp::Mdp;
+use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 use hashbrown::HashTable;
 use rustc_hash::FxBuildHasher;
 use std::hash::BuildHasher;
-
-/// When to give up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Budget {
-    /// Most states to expand.
-    pub expanded: usize,
-    /// Most states to keep.
-    pub kept: usize,
-}
-
-impl Default for Budget {
-    /// Ten million states kept: some 600 MB, and tens of seconds.
-    fn default() -> Self {
-        Self { expanded: 10_000_000, kept: 10_000_000 }
-    }
-}
-
-/// How a search ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Outcome<S, A> {
-    /// A shortest plan.
-    Plan(Solution<S, A>),
-    /// There is no plan (of the length allowed): everything within reach was looked at.
-    Unreachable,
-    /// The budget ran out first.
-    Budget,
-    /// An action has several outcomes: this is a problem for another solver.
-    Stochastic,
-}
 
 /// A plan: one state more than actions, from the initial to a terminal one.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -50,15 +21,18 @@ pub struct Solution<S, A> {
 #[derive(Clone, Debug)]
 pub struct AStar<P: Mdp> {
     problem: P,
-    budget: Budget,
+    settings: Settings,
     /// Plans that need more actions are not looked for.
     most_actions: u32,
     nodes: Nodes<P::State>,
     index: HashTable<u32>,
     open: Open,
-    expanded: usize,
+    expanded: u64,
+    /// The node with the least bound among those expanded.
+    nearest: u32,
     buffer: Vec<(P::State, f64)>,
-    outcome: Option<Outcome<P::State, P::Action>>,
+    plan: Option<Solution<P::State, P::Action>>,
+    outcome: Option<Outcome>,
 }
 
 /// All states met, in the order met.
@@ -82,8 +56,7 @@ struct Open {
 }
 
 impl Open {
-    fn push(&mut self, sum: u32, node: u32, cost: u32) {
-        let sum = sum as usize;
+    fn push(&mut self, sum: usize, node: u32, cost: u32) {
         if self.stacks.len() <= sum {
             self.stacks.resize_with(sum + 1, Vec::new);
         }
@@ -105,13 +78,13 @@ impl Open {
 impl<P: Mdp> AStar<P> {
     /// A search that has done nothing yet.
     #[must_use]
-    pub fn new(problem: P, budget: Budget) -> Self {
-        Self::within(problem, budget, u32::MAX)
+    pub fn new(problem: P, settings: Settings) -> Self {
+        Self::within(problem, settings, u32::MAX)
     }
 
     /// A search for a plan of at most so many actions; when there is none, it ends as [`Outcome::Unreachable`].
     #[must_use]
-    pub fn within(problem: P, budget: Budget, most_actions: u32) -> Self {
+    pub fn within(problem: P, settings: Settings, most_actions: u32) -> Self {
         let nodes = Nodes {
             state: Vec::new(),
             cost: Vec::new(),
@@ -121,13 +94,15 @@ impl<P: Mdp> AStar<P> {
         };
         let mut search = Self {
             problem,
-            budget,
+            settings,
             most_actions,
             nodes,
             index: HashTable::new(),
             open: Open::default(),
             expanded: 0,
+            nearest: 0,
             buffer: Vec::new(),
+            plan: None,
             outcome: None,
         };
         let initial = search.problem.initial();
@@ -143,7 +118,7 @@ impl<P: Mdp> AStar<P> {
 
     /// How many states were expanded so far.
     #[must_use]
-    pub const fn expanded(&self) -> usize {
+    pub const fn expanded(&self) -> u64 {
         self.expanded
     }
 
@@ -153,24 +128,14 @@ impl<P: Mdp> AStar<P> {
         self.nodes.state.len()
     }
 
-    /// Runs until the search ends.
-    pub fn run(&mut self) -> Outcome<P::State, P::Action> {
-        loop {
-            if let Some(outcome) = self.step(usize::MAX) {
-                return outcome;
-            }
-        }
+    /// The shortest plan, when the search has ended as [`Outcome::Solved`]; when it ran out of its budget, the way to
+    /// the state that seemed nearest to a terminal one.
+    #[must_use]
+    pub const fn plan(&self) -> Option<&Solution<P::State, P::Action>> {
+        self.plan.as_ref()
     }
 
-    /// Expands at most `n` states more; `Some` when the search has ended, which it then stays.
-    pub fn step(&mut self, n: usize) -> Option<Outcome<P::State, P::Action>> {
-        if self.outcome.is_none() {
-            self.outcome = self.expand(n);
-        }
-        self.outcome.clone()
-    }
-
-    fn expand(&mut self, n: usize) -> Option<Outcome<P::State, P::Action>> {
+    fn expand(&mut self, n: usize) -> Option<Outcome> {
         for _ in 0..n {
             let Some((node, cost)) = self.open.pop() else { return Some(Outcome::Unreachable) };
             // Reached more cheaply since it was put here: that entry stands elsewhere.
@@ -179,17 +144,24 @@ impl<P: Mdp> AStar<P> {
             }
             let state = self.nodes.state[node as usize];
             if self.problem.is_terminal(state) {
-                return Some(Outcome::Plan(self.plan_to(node)));
+                self.plan = Some(self.plan_to(node));
+                return Some(Outcome::Solved);
             }
-            if self.expanded >= self.budget.expanded || self.kept() >= self.budget.kept {
+            let budget = self.settings.budget;
+            if self.expanded >= budget.steps || self.kept() >= budget.states {
+                self.open.push(self.open.least, node, cost);
+                self.plan = Some(self.plan_to(self.nearest));
                 return Some(Outcome::Budget);
             }
             self.expanded += 1;
+            if self.nodes.bound[node as usize] < self.nodes.bound[self.nearest as usize] {
+                self.nearest = node;
+            }
             for number in 0..self.problem.actions().len() {
                 let action = self.problem.actions()[number];
                 self.buffer.clear();
                 self.problem.successors(state, action, &mut self.buffer);
-                let [(next, _)] = self.buffer[..] else { return Some(Outcome::Stochastic) };
+                let [(next, _)] = self.buffer[..] else { return Some(Outcome::Unfit) };
                 if next != state {
                     self.reach(next, cost + 1, node, number as u8);
                 }
@@ -231,7 +203,7 @@ impl<P: Mdp> AStar<P> {
     /// Puts a node among the open ones, unless every plan through it is too long.
     fn open(&mut self, node: u32, cost: u32, bound: u32) {
         if cost + bound <= self.most_actions {
-            self.open.push(cost + bound, node, cost);
+            self.open.push((cost + bound) as usize, node, cost);
         }
     }
 
@@ -247,5 +219,55 @@ impl<P: Mdp> AStar<P> {
         actions.reverse();
         states.reverse();
         Solution { actions, states }
+    }
+}
+
+impl<P: Mdp> Policy<P::State, P::Action> for AStar<P> {
+    fn action(&self, state: P::State) -> Option<P::Action> {
+        let plan = self.plan.as_ref()?;
+        let at = plan.states.iter().position(|&s| s == state)?;
+        plan.actions.get(at).copied()
+    }
+
+    fn value(&self, state: P::State) -> Option<f64> {
+        if self.problem.is_terminal(state) {
+            return Some(1.0);
+        }
+        let plan = self.plan.as_ref().filter(|_| self.outcome == Some(Outcome::Solved))?;
+        let at = plan.states.iter().position(|&s| s == state)?;
+        Some(self.settings.worth(u32::try_from(plan.actions.len() - at).ok()?))
+    }
+}
+
+impl<P: Mdp> Solver<P::State, P::Action> for AStar<P> {
+    fn name(&self) -> &'static str {
+        "astar"
+    }
+
+    /// A step expands a state.
+    fn step(&mut self, n: usize) -> Option<Outcome> {
+        if self.outcome.is_none() {
+            self.outcome = self.expand(n);
+        }
+        self.outcome
+    }
+
+    fn progress(&self) -> Progress {
+        let (lower, upper) = match self.outcome {
+            Some(Outcome::Solved) => {
+                let value = self.value(self.problem.initial()).unwrap_or(0.0);
+                (value, value)
+            }
+            Some(Outcome::Unreachable) => (0.0, 0.0),
+            _ => (0.0, self.settings.worth(u32::try_from(self.open.least).unwrap_or(u32::MAX))),
+        };
+        Progress {
+            states: self.kept(),
+            steps: self.expanded,
+            backups: self.expanded * self.problem.actions().len() as u64,
+            residual: f64::NAN,
+            lower,
+            upper,
+        }
     }
 }

@@ -9,7 +9,8 @@ use crate::domain::layout::{NOWHERE, Place};
 use crate::domain::{Color, Direction, Layout, Lock, Object, Plan, Rules, State, generate};
 use crate::ground::{Goal, Task};
 use crate::logic::{TermId, Terms, read};
-use crate::plan::{AStar, Budget, Outcome};
+use crate::mdp::{Budget, Outcome, Settings, Solver};
+use crate::plan::AStar;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -20,7 +21,7 @@ const CANDIDATES: usize = 60;
 /// Fewest and most actions between before and after: something is to be seen, and to be followed.
 const ACTIONS: std::ops::RangeInclusive<usize> = 2..=60;
 /// Objects out of the way: enough for any world of a task.
-const BUDGET: Budget = Budget { expanded: 20_000, kept: 200_000 };
+const BUDGET: Budget = Budget { steps: 20_000, states: 200_000 };
 
 /// The pairs of a task.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -126,7 +127,8 @@ fn pair(
     }
     let rules = Rules { movable: bound.movable(&pre), ..Rules::default() };
     let problem = Task::new(&bound, &pre, rules).map_err(|_| "it is too large to be planned in")?;
-    let Outcome::Plan(plan) = AStar::new(&problem, BUDGET).run() else {
+    let mut search = AStar::new(&problem, Settings { budget: BUDGET, ..Settings::default() });
+    let (Outcome::Solved, Some(plan)) = (search.run(), search.plan()) else {
         return Err("no plan reaches its goal");
     };
     if !ACTIONS.contains(&plan.actions.len()) {

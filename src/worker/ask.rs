@@ -2,17 +2,18 @@
 
 use super::protocol::{Answer, PlanText, Reading};
 use crate::ccg::{self, ChartConfig, Explanation, Model, Parse, parse};
-use crate::domain::{Action, Packed, Rules, State};
+use crate::domain::{Rules, State};
 use crate::ground::{Goal, Task, TaskError, explain};
 use crate::logic::{print, print_human};
-use crate::plan::{AStar, Budget, Outcome};
+use crate::mdp::{Outcome, Settings, Solver};
+use crate::plan::AStar;
 
 /// Readings that an answer shows, unless more are tied for best.
 const MAX_READINGS: usize = 10;
 /// States that a step of the search expands.
 const EXPANSIONS_A_STEP: usize = 2_000;
 /// What the page's planner may spend: a few hundred megabytes at most.
-const BUDGET: Budget = Budget { expanded: 2_000_000, kept: 2_000_000 };
+const BUDGET: (u64, usize) = (2_000_000, 2_000_000);
 
 /// A command being answered.
 pub(super) struct Asking {
@@ -60,7 +61,8 @@ impl Asking {
                     answer.plan = Some(no_plan(&self.state, reason, 0));
                     return Some(Ok(answer));
                 }
-                self.stage = Stage::Search(Box::new((answer, AStar::new(task, BUDGET))));
+                let settings = Settings::default().with_budget(BUDGET.0, BUDGET.1);
+                self.stage = Stage::Search(Box::new((answer, AStar::new(task, settings))));
                 None
             }
             Stage::Search(work) => {
@@ -112,16 +114,17 @@ pub(super) fn explanations(model: &mut Model, command: &str) -> Vec<Explanation>
     shown(&parse).map(|reading| Explanation::of(model, &parse, reading)).collect()
 }
 
-fn plan(start: &State, search: &AStar<Task>, outcome: Outcome<Packed, Action>) -> PlanText {
-    match outcome {
-        Outcome::Plan(found) => PlanText {
+fn plan(start: &State, search: &AStar<Task>, outcome: Outcome) -> PlanText {
+    let expanded = usize::try_from(search.expanded()).unwrap_or(usize::MAX);
+    match (outcome, search.plan()) {
+        (Outcome::Solved, Some(found)) => PlanText {
             actions: found.actions.iter().map(|action| action.name().to_owned()).collect(),
             states: search.problem().replay(&found.actions),
-            expanded: search.expanded(),
+            expanded,
             reason: None,
         },
-        Outcome::Unreachable => no_plan(start, "unreachable", search.expanded()),
-        Outcome::Budget | Outcome::Stochastic => no_plan(start, "budget", search.expanded()),
+        (Outcome::Unreachable, _) => no_plan(start, "unreachable", expanded),
+        _ => no_plan(start, "budget", expanded),
     }
 }
 

@@ -16,7 +16,8 @@ use cpu::{Row, print_table, seconds};
 use groundling::domain::{Plan, Rules, State, generate};
 use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
-use groundling::plan::{AStar, Budget};
+use groundling::mdp::{Settings, Solver};
+use groundling::plan::AStar;
 use groundling::worker::job::Engine;
 use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
 use std::hint::black_box;
@@ -119,5 +120,5 @@ fn plan() {
     let goal = read(&mut terms, MOVE_ALL).unwrap();
     let goal = Goal::new(&terms, goal, &initial).unwrap();
     let task = Task::new(&goal, &initial, Rules { pull: true, ..Rules::default() }).unwrap();
-    black_box(AStar::new(&task, Budget::default()).run());
+    black_box(AStar::new(&task, Settings::default()).run());
 }

@@ -11,8 +11,8 @@ use groundling::domain::{
 };
 use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, read};
-use groundling::mdp::{self, Mdp};
-use groundling::plan::{AStar, Budget, Outcome};
+use groundling::mdp::{self, Mdp, Outcome, Settings, Solver};
+use groundling::plan::AStar;
 use std::collections::{BTreeSet, VecDeque};
 
 fn goal(text: &str, initial: &State) -> Goal {
@@ -24,8 +24,9 @@ fn goal(text: &str, initial: &State) -> Goal {
 /// The length of a shortest plan, after its actions were seen to reach the goal.
 fn planned(goal: &Goal, initial: &State, pull: bool) -> Option<usize> {
     let task = Task::new(goal, initial, Rules { pull, ..Rules::default() }).unwrap();
-    match AStar::new(&task, Budget::default()).run() {
-        Outcome::Plan(plan) => {
+    let mut search = AStar::new(&task, Settings::default());
+    match (search.run(), search.plan()) {
+        (Outcome::Solved, Some(plan)) => {
             assert_eq!(plan.states.len(), plan.actions.len() + 1);
             let mut state = initial.clone();
             for (i, &action) in plan.actions.iter().enumerate() {
@@ -36,7 +37,7 @@ fn planned(goal: &Goal, initial: &State, pull: bool) -> Option<usize> {
             assert!(goal.holds(&state), "the plan does not reach the goal");
             Some(plan.actions.len())
         }
-        Outcome::Unreachable => None,
+        (Outcome::Unreachable, None) => None,
         other => panic!("{other:?}"),
     }
 }
@@ -263,8 +264,9 @@ fn far_goal() -> (State, Goal) {
 fn a_search_can_be_pumped_and_stays_ended() {
     let (state, goal) = far_goal();
     let task = Task::new(&goal, &state, Rules::default()).unwrap();
-    let whole = AStar::new(&task, Budget::default()).run();
-    let mut search = AStar::new(&task, Budget::default());
+    let mut whole = AStar::new(&task, Settings::default());
+    let outcome = whole.run();
+    let mut search = AStar::new(&task, Settings::default());
     let mut steps = 0;
     let pumped = loop {
         steps += 1;
@@ -273,16 +275,17 @@ fn a_search_can_be_pumped_and_stays_ended() {
         }
     };
     assert!(steps > 1 && search.expanded() < steps);
-    assert_eq!(pumped, whole);
-    assert_eq!(search.step(1), Some(whole));
+    assert_eq!((pumped, search.plan()), (outcome, whole.plan()));
+    assert_eq!(search.step(1), Some(outcome));
 }
 
 #[test]
 fn a_budget_that_runs_out_is_said() {
     let (state, goal) = far_goal();
     let task = Task::new(&goal, &state, Rules::default()).unwrap();
-    for budget in [Budget { expanded: 0, kept: 9 }, Budget { expanded: 9, kept: 1 }] {
-        assert_eq!(AStar::new(&task, budget).run(), Outcome::Budget);
+    for (steps, states) in [(0, 9), (9, 1)] {
+        let settings = Settings::default().with_budget(steps, states);
+        assert_eq!(AStar::new(&task, settings).run(), Outcome::Budget);
     }
 }
 
@@ -322,7 +325,7 @@ fn the_kit_finds_what_is_wrong() {
     assert!(matches!(fault([0.25, 0.75], 2), Err(mdp::Fault::Bound { .. })));
     let odd = Odd { probabilities: [0.25, 0.75], bound: 1 };
     assert!(matches!(mdp::check(&odd, 10, |s| s < 2), Err(mdp::Fault::Illegal { .. })));
-    assert_eq!(AStar::new(&odd, Budget::default()).run(), Outcome::Stochastic);
+    assert_eq!(AStar::new(&odd, Settings::default()).run(), Outcome::Unfit);
 }
 
 #[test]

@@ -4,7 +4,8 @@ use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::domain::{Rules, State};
 use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, read};
-use groundling::plan::{AStar, Budget, Outcome};
+use groundling::mdp::{Outcome, Settings, Solver};
+use groundling::plan::AStar;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 use std::time::Instant;
@@ -79,20 +80,19 @@ fn answer(line: &str) -> Result<Answer, String> {
         let is_lost = !goal.failures().is_empty();
         return Ok(none(if is_lost { "no_referent" } else { "unreachable" }, Some(0.0), 0));
     }
-    let mut search = AStar::new(&task, Budget::default());
+    let mut search = AStar::new(&task, Settings::default());
     let outcome = search.run();
-    let states = search.expanded();
-    match outcome {
-        Outcome::Plan(plan) => Ok(Answer {
+    let states = usize::try_from(search.expanded()).unwrap_or(usize::MAX);
+    match (outcome, search.plan()) {
+        (Outcome::Solved, Some(plan)) => Ok(Answer {
             length: Some(plan.actions.len()),
             value: Some(plan.actions.iter().skip(1).fold(1.0, |value, _| value * GAMMA)),
             actions: Some(plan.actions.iter().map(|a| a.name()).collect()),
             reason: None,
             ..none("", None, states)
         }),
-        Outcome::Unreachable => Ok(none("unreachable", Some(0.0), states)),
-        Outcome::Budget => Ok(none("budget", None, states)),
-        Outcome::Stochastic => Err("A* plans in deterministic worlds only".into()),
+        (Outcome::Unreachable, _) => Ok(none("unreachable", Some(0.0), states)),
+        _ => Ok(none("budget", None, states)),
     }
 }
 

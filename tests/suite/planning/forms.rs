@@ -5,7 +5,8 @@ use super::{goal, goals, world};
 use crate::dynamics::plain::outcomes;
 use groundling::domain::{Form, Movable, Rules, State, text};
 use groundling::ground::{Goal, Task};
-use groundling::plan::{AStar, Budget, Outcome};
+use groundling::mdp::{Outcome, Settings, Solver};
+use groundling::plan::AStar;
 use std::collections::{HashSet, VecDeque};
 
 /// The length of a shortest plan in a world without chance.
@@ -32,15 +33,16 @@ fn oracle(goal: &Goal, initial: &State, rules: &Rules) -> Option<usize> {
 /// The length of a shortest plan by the planner, after the plain world has followed it.
 fn planned(goal: &Goal, initial: &State, rules: Rules) -> Option<usize> {
     let task = Task::new(goal, initial, rules).unwrap();
-    match AStar::new(&task, Budget::default()).run() {
-        Outcome::Plan(plan) => {
+    let mut search = AStar::new(&task, Settings::default());
+    match (search.run(), search.plan()) {
+        (Outcome::Solved, Some(plan)) => {
             let end = plan.actions.iter().fold(initial.clone(), |state, &action| {
                 outcomes(&state, &rules, action).swap_remove(0).0
             });
             assert!(goal.holds(&end), "the plan does not reach the goal");
             Some(plan.actions.len())
         }
-        Outcome::Unreachable => None,
+        (Outcome::Unreachable, None) => None,
         other => panic!("{other:?}"),
     }
 }

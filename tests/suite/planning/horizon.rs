@@ -6,7 +6,8 @@ use groundling::domain::{Rules, State};
 use groundling::ground::{Goal, Task, Validator};
 use groundling::learn::{Config, PlannerCost, Planning, Trainer, Validation};
 use groundling::logic::{TermId, Terms, read};
-use groundling::plan::{AStar, Budget, Outcome};
+use groundling::mdp::{Outcome, Settings, Solver};
+use groundling::plan::AStar;
 
 /// A goal that is not reached yet: its term, the length of a shortest plan, and where one ends.
 struct Case {
@@ -30,8 +31,9 @@ fn cases(terms: &mut Terms) -> Vec<Case> {
             continue;
         }
         let task = Task::new(&goal, &world, Rules::default()).unwrap();
-        let end = match AStar::new(&task, Budget::default()).run() {
-            Outcome::Plan(plan) => task.replay(&plan.actions).pop().unwrap(),
+        let mut search = AStar::new(&task, Settings::default());
+        let end = match (search.run(), search.plan()) {
+            (Outcome::Solved, Some(plan)) => task.replay(&plan.actions).pop().unwrap(),
             _ => world.clone(),
         };
         cases.push(Case { world, form, length, end });
@@ -47,10 +49,13 @@ fn a_search_within_a_horizon_finds_plans_of_just_so_many_actions() {
     for Case { world, form, length, .. } in cases(&mut terms) {
         let goal = Goal::new(&terms, form, &world).unwrap();
         let task = Task::new(&goal, &world, Rules::default()).unwrap();
-        let within = |n| match AStar::within(&task, Budget::default(), n).run() {
-            Outcome::Plan(plan) => Some(plan.actions.len() as u32),
-            Outcome::Unreachable => None,
-            other => panic!("{other:?}"),
+        let within = |n| {
+            let mut search = AStar::within(&task, Settings::default(), n);
+            match (search.run(), search.plan()) {
+                (Outcome::Solved, Some(plan)) => Some(plan.actions.len() as u32),
+                (Outcome::Unreachable, None) => None,
+                other => panic!("{other:?}"),
+            }
         };
         for n in 0..20 {
             assert_eq!(within(n), length.filter(|&length| length <= n), "within {n}");

@@ -13,7 +13,8 @@ use groundling::ground::{Goal, Task};
 use groundling::learn::DEMONSTRATION_LEXICON;
 use groundling::learn::experiment::{Run, Selection};
 use groundling::logic::{TermId, Terms, print, print_human};
-use groundling::plan::{AStar, Budget, Outcome};
+use groundling::mdp::{Outcome, Settings, Solver};
+use groundling::plan::AStar;
 use serde_json::json;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -129,12 +130,13 @@ fn carry_out(
     if task.is_impossible() && !goal.failures().is_empty() {
         return Err("no_referent".to_owned());
     }
-    match AStar::new(&task, Budget::default()).run() {
-        Outcome::Plan(found) => {
+    let mut search = AStar::new(&task, Settings::default());
+    match (search.run(), search.plan()) {
+        (Outcome::Solved, Some(found)) => {
             let reached = task.replay(&found.actions).last().is_some_and(|last| goal.holds(last));
             Ok((found.actions.iter().map(|action| action.name()).collect(), reached))
         }
-        Outcome::Unreachable => Err("unreachable".to_owned()),
-        Outcome::Budget | Outcome::Stochastic => Err("budget".to_owned()),
+        (Outcome::Unreachable, _) => Err("unreachable".to_owned()),
+        _ => Err("budget".to_owned()),
     }
 }

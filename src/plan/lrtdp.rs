@@ -1,0 +1,216 @@
+//! Labelled real-time dynamic programming (LRTDP: Bonet and Geffner 2003), whose trials follow every outcome of the
+//! best action, depth first (their HDP), and whose labels are bounds from both sides (BRTDP: McMahan, Likhachev and
+//! Gordon 2005): a state is solved when these lie within ε. Both are backed up on the way down and on the way up.
+//! Only states that a good policy might meet are numbered, so it works where there are too many to enumerate.
+//! Invariants: lower ≤ V ≤ upper always; the policy is greedy in the lower bounds, so it earns at least those.
+//! Nothing is drawn at random. A step backs up one state.
+
+use super::graph::{Graph, Id};
+use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
+use std::ops::Range;
+
+/// A state is solved when its gap is at most this share of ε, so that rounding cannot keep ε itself out of reach.
+const STRICTER: f64 = 0.9;
+
+/// A solver at work.
+#[derive(Clone)]
+pub struct Lrtdp<P: Mdp> {
+    graph: Graph<P>,
+    settings: Settings,
+    /// Bounds on what it is worth to arrive: 1 at a terminal state, else γ V.
+    upper: Vec<f64>,
+    lower: Vec<f64>,
+    is_expanded: Vec<bool>,
+    /// The last trial that met each state.
+    met: Vec<u32>,
+    /// The states that this trial is in, each with the outcomes of its best action that are still to be followed.
+    path: Vec<(Id, Range<usize>)>,
+    trials: u32,
+    /// The largest fall of an upper bound in this trial, and in the last one.
+    change: f64,
+    residual: f64,
+    steps: u64,
+    backups: u64,
+    outcome: Option<Outcome>,
+}
+
+impl<P: Mdp> Lrtdp<P> {
+    /// A solver that has done nothing yet.
+    #[must_use]
+    pub fn new(problem: P, settings: Settings) -> Self {
+        let mut solver = Self {
+            graph: Graph::new(problem, settings.discount),
+            settings,
+            upper: Vec::new(),
+            lower: Vec::new(),
+            is_expanded: Vec::new(),
+            met: Vec::new(),
+            path: Vec::new(),
+            trials: 0,
+            change: 0.0,
+            residual: f64::NAN,
+            steps: 0,
+            backups: 0,
+            outcome: None,
+        };
+        solver.bound_new_states();
+        solver
+    }
+
+    /// The problem that is solved.
+    #[must_use]
+    pub const fn problem(&self) -> &P {
+        self.graph.problem()
+    }
+
+    /// How many trials were begun.
+    #[must_use]
+    pub const fn trials(&self) -> u32 {
+        self.trials
+    }
+
+    /// Gives the states that were numbered since their first bounds.
+    fn bound_new_states(&mut self) {
+        for id in self.upper.len()..self.graph.len() {
+            let id = id as Id;
+            let (lower, upper) = if self.graph.is_terminal(id) {
+                (1.0, 1.0)
+            } else if self.graph.is_dead(id) {
+                (0.0, 0.0)
+            } else {
+                (0.0, self.settings.discount * self.settings.worth(self.graph.bound(id)))
+            };
+            self.lower.push(lower);
+            self.upper.push(upper);
+        }
+        self.is_expanded.resize(self.graph.len(), false);
+        self.met.resize(self.graph.len(), 0);
+    }
+
+    /// How far the bounds on V lie apart.
+    fn gap(&self, id: Id) -> f64 {
+        let gap = self.upper[id as usize] - self.lower[id as usize];
+        if self.graph.is_terminal(id) { 0.0 } else { gap / self.settings.discount }
+    }
+
+    fn advance(&mut self) -> Option<Outcome> {
+        if self.steps >= self.settings.budget.steps {
+            return Some(if self.path.is_empty() && self.is_solved(0) {
+                self.ended()
+            } else {
+                Outcome::Budget
+            });
+        }
+        let Some((id, rest)) = self.path.last_mut() else {
+            if self.is_solved(0) {
+                return Some(self.ended());
+            }
+            self.residual = if self.trials > 0 { self.change } else { f64::NAN };
+            self.change = 0.0;
+            self.trials += 1;
+            return self.go_down(0);
+        };
+        if let Some(edge) = rest.next() {
+            let next = self.graph.target(edge);
+            if self.met[next as usize] < self.trials && !self.is_solved(next) {
+                return self.go_down(next);
+            }
+            return None;
+        }
+        let id = *id;
+        self.path.pop();
+        self.back_up(id);
+        None
+    }
+
+    /// Meets a state: backs it up and sets out along its best action.
+    fn go_down(&mut self, id: Id) -> Option<Outcome> {
+        self.met[id as usize] = self.trials;
+        if !self.is_expanded[id as usize] {
+            if self.graph.is_full(self.settings.budget.states) {
+                return Some(Outcome::Budget);
+            }
+            self.graph.expand(id);
+            self.bound_new_states();
+            self.is_expanded[id as usize] = true;
+        }
+        let best = self.back_up(id);
+        self.path.push((id, best.map_or(0..0, |row| self.graph.edges(row))));
+        None
+    }
+
+    fn is_solved(&self, id: Id) -> bool {
+        self.gap(id) <= STRICTER * self.settings.epsilon
+    }
+
+    /// How it ends once the bounds on the initial state meet.
+    fn ended(&self) -> Outcome {
+        if self.upper[0] <= 0.0 {
+            Outcome::Unreachable
+        } else if self.lower[0] > 0.0 {
+            Outcome::Solved
+        } else {
+            // It may be worth less than ε, or nothing at all: neither is proved.
+            Outcome::Budget
+        }
+    }
+
+    /// Backs up both bounds of a state; the row of the best upper one.
+    fn back_up(&mut self, id: Id) -> Option<usize> {
+        let discount = self.settings.discount;
+        self.steps += 1;
+        self.backups += self.graph.rows(id).len() as u64;
+        let upper = self.graph.best(id, &self.upper);
+        let lower = self.graph.best(id, &self.lower);
+        let i = id as usize;
+        let most = discount * upper.map_or(0.0, |(_, worth)| worth);
+        self.change = self.change.max((self.upper[i] - most) / discount);
+        self.upper[i] = self.upper[i].min(most);
+        self.lower[i] = self.lower[i].max(discount * lower.map_or(0.0, |(_, worth)| worth));
+        upper.map(|(row, _)| row)
+    }
+}
+
+impl<P: Mdp> Policy<P::State, P::Action> for Lrtdp<P> {
+    fn action(&self, state: P::State) -> Option<P::Action> {
+        let id = self.graph.find(state)?;
+        let best = self.graph.best(id, &self.lower).or_else(|| self.graph.best(id, &self.upper));
+        best.map(|(row, _)| self.graph.action(row))
+    }
+
+    /// What the policy earns at least.
+    fn value(&self, state: P::State) -> Option<f64> {
+        let id = self.graph.find(state)?;
+        let worth = self.lower[id as usize];
+        Some(if self.graph.is_terminal(id) { worth } else { worth / self.settings.discount })
+    }
+}
+
+impl<P: Mdp> Solver<P::State, P::Action> for Lrtdp<P> {
+    fn name(&self) -> &'static str {
+        "lrtdp"
+    }
+
+    /// A step backs up a state.
+    fn step(&mut self, n: usize) -> Option<Outcome> {
+        for _ in 0..n {
+            if self.outcome.is_some() {
+                break;
+            }
+            self.outcome = self.advance();
+        }
+        self.outcome
+    }
+
+    fn progress(&self) -> Progress {
+        let lower = self.value(self.graph.state(0)).unwrap_or(0.0);
+        Progress {
+            states: self.graph.len(),
+            steps: self.steps,
+            backups: self.backups,
+            residual: self.residual,
+            lower,
+            upper: lower + self.gap(0),
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! Value iteration over the states that can be reached (Bellman 1957): all are numbered once, ordered by their
+//! distance to the goal, and swept in that order with new values used at once (Gauss–Seidel), from below.
+//! It ends when γ / (1 − γ) times the largest change of a sweep is at most ε. Sure worlds are solved by one sweep.
+//! Values are discounted rewards in [0, 1]. A step expands, orders or backs up one state.
+
+use super::graph::{Graph, Id};
+use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
+
+/// No edge.
+const NONE: u32 = u32::MAX;
+
+/// A solver at work.
+#[derive(Clone)]
+pub struct ValueIteration<P: Mdp> {
+    graph: Graph<P>,
+    settings: Settings,
+    stage: Stage,
+    /// How far the stage is.
+    cursor: usize,
+    /// Whether the budget did not allow for all states.
+    is_partial: bool,
+    into: Into,
+    /// States that can reach a terminal one, nearest first, terminal ones left out.
+    order: Vec<Id>,
+    /// What it is worth to arrive: 1 at a terminal state, else γ V.
+    worth: Vec<f64>,
+    /// The largest change of a value, in this sweep and in the last whole one.
+    change: f64,
+    residual: f64,
+    /// What the initial state is worth at most.
+    upper: f64,
+    steps: u64,
+    backups: u64,
+    sweeps: u32,
+    outcome: Option<Outcome>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    Expand,
+    Order,
+    Sweep,
+}
+
+/// The edges into each state, as chains; kept until states are ordered.
+#[derive(Clone, Debug, Default)]
+struct Into {
+    /// By state, its first edge in.
+    first: Vec<u32>,
+    /// By edge, the next one into the same state, and the state that it leaves.
+    next: Vec<(u32, Id)>,
+    /// By state, whether it stands in the order.
+    is_ordered: Vec<bool>,
+}
+
+impl<P: Mdp> ValueIteration<P> {
+    /// A solver that has done nothing yet.
+    #[must_use]
+    pub fn new(problem: P, settings: Settings) -> Self {
+        let graph = Graph::new(problem, settings.discount);
+        Self {
+            upper: if graph.is_dead(0) { 0.0 } else { settings.worth(graph.bound(0)) },
+            graph,
+            settings,
+            stage: Stage::Expand,
+            cursor: 0,
+            is_partial: false,
+            into: Into::default(),
+            order: Vec::new(),
+            worth: Vec::new(),
+            change: 0.0,
+            residual: f64::NAN,
+            steps: 0,
+            backups: 0,
+            sweeps: 0,
+            outcome: None,
+        }
+    }
+
+    /// The problem that is solved.
+    #[must_use]
+    pub const fn problem(&self) -> &P {
+        self.graph.problem()
+    }
+
+    /// Whether there were more states than the budget allows; values are then bounds from below.
+    #[must_use]
+    pub const fn is_partial(&self) -> bool {
+        self.is_partial
+    }
+
+    /// How many times all states were backed up.
+    #[must_use]
+    pub const fn sweeps(&self) -> u32 {
+        self.sweeps
+    }
+
+    fn advance(&mut self) -> Option<Outcome> {
+        if self.graph.is_terminal(0) {
+            return Some(Outcome::Solved);
+        }
+        if self.graph.is_dead(0) {
+            return Some(Outcome::Unreachable);
+        }
+        if self.steps >= self.settings.budget.steps {
+            return Some(Outcome::Budget);
+        }
+        match self.stage {
+            Stage::Expand => self.expand(),
+            Stage::Order => return self.order(),
+            Stage::Sweep => return self.back_up(),
+        }
+        None
+    }
+
+    /// Expands the next state, and notes its edges at the states that they lead to.
+    fn expand(&mut self) {
+        let all = self.graph.len();
+        if self.cursor == all || self.graph.is_full(self.settings.budget.states) {
+            self.is_partial = self.cursor < all;
+            self.into.first.resize(all, NONE);
+            self.into.is_ordered.resize(all, false);
+            self.worth = vec![0.0; all];
+            self.order = (0..all as Id).filter(|&id| self.graph.is_terminal(id)).collect();
+            for &id in &self.order {
+                self.worth[id as usize] = 1.0;
+            }
+            (self.stage, self.cursor) = (Stage::Order, 0);
+            return;
+        }
+        let id = self.cursor as Id;
+        self.cursor += 1;
+        if self.graph.is_terminal(id) || self.graph.is_dead(id) {
+            return;
+        }
+        self.steps += 1;
+        let first = self.graph.n_edges();
+        self.graph.expand(id);
+        self.into.first.resize(self.graph.len(), NONE);
+        for edge in first..self.graph.n_edges() {
+            let head = &mut self.into.first[self.graph.target(edge) as usize];
+            self.into.next.push((*head, id));
+            *head = edge as u32;
+        }
+    }
+
+    /// Adds the states that lead to the next one in order and were not there yet.
+    fn order(&mut self) -> Option<Outcome> {
+        let Some(&id) = self.order.get(self.cursor) else {
+            self.into = Into::default();
+            (self.stage, self.cursor) = (Stage::Sweep, 0);
+            let graph = &self.graph;
+            self.order.retain(|&id| !graph.is_terminal(id));
+            let is_reached = self.order.contains(&0);
+            if is_reached {
+                return None;
+            }
+            if self.is_partial {
+                return Some(Outcome::Budget);
+            }
+            self.upper = 0.0;
+            return Some(Outcome::Unreachable);
+        };
+        self.cursor += 1;
+        let mut edge = self.into.first[id as usize];
+        while let Some(&(next, from)) = self.into.next.get(edge as usize) {
+            if !self.into.is_ordered[from as usize] {
+                self.into.is_ordered[from as usize] = true;
+                self.order.push(from);
+            }
+            edge = next;
+        }
+        None
+    }
+
+    /// Backs up the next state in order; at the end of a sweep, sees whether that was the last one.
+    fn back_up(&mut self) -> Option<Outcome> {
+        let discount = self.settings.discount;
+        if let Some(&id) = self.order.get(self.cursor) {
+            self.cursor += 1;
+            self.steps += 1;
+            self.backups += self.graph.rows(id).len() as u64;
+            let best = self.graph.best(id, &self.worth).map_or(0.0, |(_, worth)| worth);
+            let worth = &mut self.worth[id as usize];
+            self.change = self.change.max((best - *worth / discount).abs());
+            *worth = discount * best;
+            return None;
+        }
+        self.sweeps += 1;
+        self.residual = self.change;
+        (self.cursor, self.change) = (0, 0.0);
+        // How far values may be from those of the states that were numbered.
+        let error = discount / (1.0 - discount) * self.residual;
+        if !self.is_partial {
+            self.upper = self.upper.min(self.worth[0] / discount + error);
+        }
+        if error > self.settings.epsilon {
+            return None;
+        }
+        Some(if self.is_partial { Outcome::Budget } else { Outcome::Solved })
+    }
+}
+
+impl<P: Mdp> Policy<P::State, P::Action> for ValueIteration<P> {
+    fn action(&self, state: P::State) -> Option<P::Action> {
+        let id = self.graph.find(state).filter(|_| self.stage == Stage::Sweep)?;
+        self.graph.best(id, &self.worth).map(|(row, _)| self.graph.action(row))
+    }
+
+    fn value(&self, state: P::State) -> Option<f64> {
+        let id = self.graph.find(state)?;
+        if self.graph.is_terminal(id) {
+            return Some(1.0);
+        }
+        (self.stage == Stage::Sweep).then(|| self.worth[id as usize] / self.settings.discount)
+    }
+}
+
+impl<P: Mdp> Solver<P::State, P::Action> for ValueIteration<P> {
+    fn name(&self) -> &'static str {
+        "vi"
+    }
+
+    /// A step expands a state, puts it in order, or backs it up.
+    fn step(&mut self, n: usize) -> Option<Outcome> {
+        for _ in 0..n {
+            if self.outcome.is_some() {
+                break;
+            }
+            self.outcome = self.advance();
+        }
+        self.outcome
+    }
+
+    fn progress(&self) -> Progress {
+        Progress {
+            states: self.graph.len(),
+            steps: self.steps,
+            backups: self.backups,
+            residual: self.residual,
+            lower: self.value(self.graph.state(0)).unwrap_or(0.0),
+            upper: self.upper,
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! Solvers agree with each other and with plain oracles of the tests' own, on problems of no particular world.
+
+#[path = "solvers/toy.rs"]
+pub(crate) mod toy;
+
+use groundling::mdp::{Mdp, Outcome, Policy, Settings, Solver, StartingAt};
+use groundling::plan::{AStar, Lrtdp, ValueIteration};
+use toy::{Toy, values};
+
+/// The solvers that prove what they say, at a problem.
+fn provers(toy: &Toy) -> Vec<Box<dyn Solver<u32, u8> + '_>> {
+    let settings = Settings::default();
+    vec![
+        Box::new(AStar::new(toy, settings)),
+        Box::new(ValueIteration::new(toy, settings)),
+        Box::new(Lrtdp::new(toy, settings)),
+    ]
+}
+
+#[test]
+fn values_are_those_of_plain_value_iteration() {
+    let epsilon = Settings::default().epsilon;
+    let (mut reached, mut vain) = (0, 0);
+    for seed in 0..300 {
+        let toy = Toy::new(seed, 4 + seed as u32 % 40, seed % 3 > 0);
+        let values = values(&toy, Settings::default().discount);
+        let wanted = values[0];
+        for mut solver in provers(&toy) {
+            let name = solver.name();
+            let outcome = solver.run();
+            if outcome == Outcome::Unfit {
+                assert_eq!((name, toy.is_sure), ("astar", false), "seed {seed}");
+                continue;
+            }
+            let progress = solver.progress();
+            if wanted == 0.0 {
+                vain += 1;
+                assert_eq!(outcome, Outcome::Unreachable, "{name}, seed {seed}");
+                assert_eq!(progress.upper, 0.0, "{name}, seed {seed}");
+                continue;
+            }
+            reached += 1;
+            assert_eq!(outcome, Outcome::Solved, "{name}, seed {seed}");
+            let value = solver.value(0).unwrap();
+            assert!(
+                (value - wanted).abs() <= epsilon,
+                "{name}, seed {seed}: {value}, not {wanted}"
+            );
+            assert!(progress.lower <= wanted + epsilon && wanted - epsilon <= progress.upper);
+            assert!(progress.upper - progress.lower <= epsilon * 1.01, "{name}: {progress:?}");
+        }
+    }
+    assert!(reached > 400 && vain > 20, "{reached} reached, {vain} in vain");
+}
+
+#[test]
+fn a_policy_earns_its_value() {
+    for seed in 0..100 {
+        let toy = Toy::new(seed, 30, seed % 2 == 0);
+        for mut solver in provers(&toy) {
+            if solver.run() != Outcome::Solved || toy.is_terminal(0) {
+                continue;
+            }
+            let (name, value) = (solver.name(), solver.value(0).unwrap());
+            let earned = toy::earned(&toy, Settings::default().discount, |s| solver.action(s));
+            assert!((earned - value).abs() < 1e-5, "{name}, seed {seed}: {earned}, not {value}");
+        }
+    }
+}
+
+#[test]
+fn sure_problems_have_the_length_of_a_breadth_first_search() {
+    for seed in 0..200 {
+        let toy = Toy::new(seed, 60, true);
+        let length = toy.steps(0);
+        let wanted = length.map_or(0.0, |n| Settings::default().worth(n));
+        for mut solver in provers(&toy) {
+            solver.run();
+            let value = solver.value(0).unwrap_or(0.0);
+            assert!((value - wanted).abs() < 1e-9, "{}: {value}, not {wanted}", solver.name());
+        }
+    }
+}
+
+#[test]
+fn solvers_can_be_pumped_and_stay_ended() {
+    for seed in 0..20 {
+        let toy = Toy::new(seed, 30, seed % 2 == 0);
+        for (mut whole, mut pumped) in provers(&toy).into_iter().zip(provers(&toy)) {
+            let outcome = whole.run();
+            let mut bounds = pumped.progress();
+            let end = loop {
+                if let Some(outcome) = pumped.step(1) {
+                    break outcome;
+                }
+                let now = pumped.progress();
+                assert!(now.lower >= bounds.lower - 1e-12 && now.upper <= bounds.upper + 1e-12);
+                bounds = now;
+            };
+            assert_eq!(end, outcome, "{}", whole.name());
+            assert_eq!(pumped.step(1), Some(outcome));
+            assert_eq!(format!("{:?}", pumped.progress()), format!("{:?}", whole.progress()));
+        }
+    }
+}
+
+#[test]
+fn a_budget_that_runs_out_is_said_and_bounds_hold() {
+    for seed in 0..60 {
+        let toy = Toy::new(seed, 40, seed % 2 == 0);
+        let wanted = values(&toy, Settings::default().discount)[0];
+        for (steps, states) in [(0, 100), (100, 0), (1, 100), (7, 100), (100, 5), (30, 30)] {
+            let settings = Settings::default().with_budget(steps, states);
+            let solvers: [Box<dyn Solver<u32, u8> + '_>; 3] = [
+                Box::new(AStar::new(&toy, settings)),
+                Box::new(ValueIteration::new(&toy, settings)),
+                Box::new(Lrtdp::new(&toy, settings)),
+            ];
+            for mut solver in solvers {
+                let outcome = solver.run();
+                let progress = solver.progress();
+                let said =
+                    format!("{} {outcome:?} {progress:?} {wanted} seed {seed}", solver.name());
+                assert!(
+                    progress.lower <= wanted + 1e-6 && wanted <= progress.upper + 1e-6,
+                    "{said}"
+                );
+                if (steps == 0 || states == 0) && !toy.is_terminal(0) && toy.heuristic(0).is_some()
+                {
+                    assert_ne!(outcome, Outcome::Solved, "{said}");
+                }
+                if outcome == Outcome::Unreachable {
+                    assert_eq!(wanted, 0.0, "{said}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_problem_can_begin_elsewhere() {
+    for seed in 0..40 {
+        let toy = Toy::new(seed, 20, false);
+        let values = values(&toy, Settings::default().discount);
+        for start in 0..20 {
+            let there = StartingAt::new(&toy, start);
+            assert_eq!(there.initial(), start);
+            let mut solver = ValueIteration::new(&there, Settings::default());
+            solver.run();
+            let value = solver.value(start).unwrap_or(0.0);
+            assert!((value - values[start as usize]).abs() < 1e-6);
+        }
+    }
+}
