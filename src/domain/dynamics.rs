@@ -144,6 +144,15 @@ impl Dynamics {
         packed.field(SMALL, self.width)
     }
 
+    /// The same state with the robot at another place of this layout, facing `heading`; `None` where an object
+    /// stands. For showing what every cell is worth.
+    #[must_use]
+    pub fn with_agent(&self, packed: Packed, place: Place, heading: Direction) -> Option<Packed> {
+        let is_free = self.object_at(packed, place).is_none();
+        let moved = packed.with(SMALL, self.width, u128::from(place));
+        is_free.then_some(facing(moved, heading))
+    }
+
     /// Where the object with this index is.
     #[inline]
     #[must_use]

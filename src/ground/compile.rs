@@ -1,9 +1,9 @@
 //! A goal compiled to a test on packed states, with a lower bound on the actions that are still needed:
-//! an atom's is exact in an empty world (`distance`), a conjunction's the largest of its parts, a
-//! disjunction's the smallest. Negations stand at the atoms only, where they turn the places that fulfil it.
+//! an atom's is exact in an empty world (`distance`), a conjunction's the largest of its parts and of the moves of
+//! all its objects together, a disjunction's the smallest. Negations stand at the atoms only, where they turn the places that fulfil it.
 //! An object that never moves is a cell: what is said of it and a thing is said of that thing alone.
 
-use super::distance::{Ground, Table};
+use super::distance::{Ground, Moves, Steps, Table};
 use super::goal::{Formula, Goal};
 use super::predicate::Relation;
 use super::thing::{Entity, Thing};
@@ -16,14 +16,28 @@ pub(super) struct Compiled {
     root: Node,
     atoms: Vec<Atom>,
     tables: Vec<(Wish, Table)>,
+    /// Moves of an object that a wish needs.
+    moves: Vec<(Wish, Moves)>,
+    steps: Steps,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Node {
     All(Vec<Node>),
+    /// All of these atoms, which want something of two objects or more; the moves of different objects add up.
+    Together(Vec<Node>, Vec<Load>),
     Any(Vec<Node>),
     /// By index.
     Atom(usize),
+}
+
+/// What a conjunction wants of one object, or of two that it wants nothing else of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Load {
+    /// By their indices: moves of a wish each, the largest of which counts.
+    One { object: usize, moves: Vec<usize> },
+    /// An atom about two objects.
+    Two(usize),
 }
 
 /// What stands in one cell.
@@ -95,9 +109,15 @@ impl Compiled {
     pub(super) fn new(goal: &Goal, dynamics: &Dynamics, state: &State, initial: Packed) -> Self {
         let things = Thing::all(state);
         let mut compiler = Compiler { things, dynamics, atoms: Vec::new() };
-        let root = compiler.node(goal.formula(), true);
+        let mut root = compiler.node(goal.formula(), true);
         let ground = Ground::new(dynamics, initial);
-        let mut compiled = Self { root, atoms: Vec::new(), tables: Vec::new() };
+        let mut compiled = Self {
+            root: constant(true),
+            atoms: Vec::new(),
+            tables: Vec::new(),
+            moves: Vec::new(),
+            steps: Steps::default(),
+        };
         for (first, second, wish) in compiler.atoms {
             let known = compiled.tables.iter().position(|t| t.0 == wish);
             let table = known.unwrap_or_else(|| {
@@ -106,7 +126,66 @@ impl Compiled {
             });
             compiled.atoms.push(Atom { first, second, table });
         }
+        compiled.load(&mut root, dynamics, &ground);
+        compiled.root = root;
+        let is_carried = |t: &(Wish, Table)| matches!(t.1, Table::Fetch { .. });
+        if !compiled.moves.is_empty() || compiled.tables.iter().any(is_carried) {
+            compiled.steps = ground.steps();
+        }
         compiled
+    }
+
+    /// Finds the conjunctions in which the moves of several objects add up.
+    fn load(&mut self, node: &mut Node, dynamics: &Dynamics, ground: &Ground<'_>) {
+        let (Node::All(parts) | Node::Any(parts)) = node else { return };
+        parts.iter_mut().for_each(|part| self.load(part, dynamics, ground));
+        let Node::All(parts) = node else { return };
+        let atoms: Vec<usize> = parts
+            .iter()
+            .filter_map(|n| if let Node::Atom(index) = n { Some(*index) } else { None })
+            .collect();
+        let mut loads: Vec<Load> = Vec::new();
+        let mut loaded: Vec<Body> = Vec::new();
+        for &index in &atoms {
+            let Atom { first, second, table } = self.atoms[index];
+            let Body::Object(object) = first else { continue };
+            if first != second {
+                continue;
+            }
+            let moves = self.moves_of(self.tables[table].0, dynamics, ground);
+            loaded.push(first);
+            let known = loads.iter_mut().find_map(|load| match load {
+                Load::One { object: o, moves } if *o == object => Some(moves),
+                _ => None,
+            });
+            match known {
+                Some(all) => all.push(moves),
+                None => loads.push(Load::One { object, moves: vec![moves] }),
+            }
+        }
+        for &index in &atoms {
+            let Atom { first, second, .. } = self.atoms[index];
+            let both = [first, second];
+            if first != second && !both.iter().any(|b| *b == Body::Agent || loaded.contains(b)) {
+                loaded.extend(both);
+                loads.push(Load::Two(index));
+            }
+        }
+        if loads.len() > 1 {
+            *node = Node::Together(std::mem::take(parts), loads);
+        }
+    }
+
+    /// The index of the moves that a wish about one object needs.
+    fn moves_of(&mut self, wish: Wish, dynamics: &Dynamics, ground: &Ground<'_>) -> usize {
+        self.moves.iter().position(|m| m.0 == wish).unwrap_or_else(|| {
+            let holds = |p: Place| {
+                let cell = dynamics.layout().cell(p);
+                wish.holds(cell, cell)
+            };
+            self.moves.push((wish, ground.moves(holds)));
+            self.moves.len() - 1
+        })
     }
 
     /// Whether no state whatever fulfils it: it asks for something of a thing that is not there.
@@ -126,7 +205,9 @@ impl Compiled {
 
     fn node_holds(&self, node: &Node, dynamics: &Dynamics, packed: Packed) -> bool {
         match node {
-            Node::All(all) => all.iter().all(|n| self.node_holds(n, dynamics, packed)),
+            Node::All(all) | Node::Together(all, _) => {
+                all.iter().all(|n| self.node_holds(n, dynamics, packed))
+            }
             Node::Any(any) => any.iter().any(|n| self.node_holds(n, dynamics, packed)),
             Node::Atom(index) => {
                 let atom = &self.atoms[*index];
@@ -138,17 +219,58 @@ impl Compiled {
 
     fn node_bound(&self, node: &Node, dynamics: &Dynamics, packed: Packed) -> Option<u32> {
         match node {
-            Node::All(all) => all
-                .iter()
-                .try_fold(0, |most, n| self.node_bound(n, dynamics, packed).map(|b| b.max(most))),
+            Node::All(all) => self.largest(all, dynamics, packed),
+            Node::Together(all, loads) => {
+                let largest = self.largest(all, dynamics, packed)?;
+                Some(self.together(loads, dynamics, packed)?.max(largest))
+            }
             Node::Any(any) => any.iter().filter_map(|n| self.node_bound(n, dynamics, packed)).min(),
             Node::Atom(index) => {
                 let atom = &self.atoms[*index];
                 let at = |body| place(body, dynamics, packed);
                 let robot = (dynamics.agent(packed), dynamics.heading(packed));
-                self.tables[atom.table].1.bound(robot, at(atom.first), at(atom.second))
+                let things = (at(atom.first), at(atom.second));
+                self.tables[atom.table].1.bound(&self.steps, robot, things)
             }
         }
+    }
+
+    fn largest(&self, all: &[Node], dynamics: &Dynamics, packed: Packed) -> Option<u32> {
+        all.iter().try_fold(0, |most, n| self.node_bound(n, dynamics, packed).map(|b| b.max(most)))
+    }
+
+    /// The moves of all loads, of which an action makes at most one, and the way to the first of them. To begin with
+    /// a load that is where it should be costs a move away from there and one back: so one action never takes more
+    /// than one from the sum.
+    fn together(&self, loads: &[Load], dynamics: &Dynamics, packed: Packed) -> Option<u32> {
+        let robot = dynamics.agent(packed);
+        let (mut sum, mut walk) = (0, u32::MAX);
+        for load in loads {
+            let (rest, way) = match load {
+                Load::One { object, moves } => {
+                    let at = dynamics.object(packed, *object);
+                    let rest = moves.iter().try_fold(0, |most, &m| {
+                        self.moves[m].1.from(at).map(|rest| rest.max(most))
+                    })?;
+                    (rest, self.steps.between(robot, at))
+                }
+                Load::Two(index) => {
+                    let atom = &self.atoms[*index];
+                    let (a, b) =
+                        (place(atom.first, dynamics, packed), place(atom.second, dynamics, packed));
+                    let ways = [self.steps.between(robot, a), self.steps.between(robot, b)];
+                    let rest = self.tables[atom.table].1.moves(a, b)?;
+                    (rest, ways.into_iter().flatten().min())
+                }
+            };
+            sum += rest;
+            match way {
+                Some(way) => walk = walk.min(if rest > 0 { way } else { way + 2 }),
+                None if rest > 0 => return None,
+                None => {}
+            }
+        }
+        Some(if sum == 0 { 0 } else { sum + walk.saturating_sub(1) })
     }
 }
 

@@ -32,8 +32,8 @@ pub(super) enum Table {
     Robot { headings: usize, rest: Vec<u16> },
     /// By the robot's pose, times the number of places, and an object's place.
     Carry { headings: usize, n: usize, rest: Vec<u16> },
-    /// Moves of either of two objects by their places, and the steps of a robot up to an object by theirs.
-    Fetch { n: usize, moves: Vec<u16>, steps: Vec<u16> },
+    /// Moves of either of two objects by their places.
+    Fetch { n: usize, moves: Vec<u16> },
     /// Nothing is known but whether it is fulfilled.
     Unknown,
 }
@@ -43,24 +43,31 @@ impl Table {
     #[inline]
     pub(super) fn bound(
         &self,
+        steps: &Steps,
         robot: (Place, Direction),
-        first: Place,
-        second: Place,
+        (one, other): (Place, Place),
     ) -> Option<u32> {
-        let finite = |d: u16| (d != NEVER).then_some(u32::from(d));
-        let (first, second) = (usize::from(first), usize::from(second));
+        let (first, second) = (usize::from(one), usize::from(other));
         match self {
             Self::Robot { headings, rest } => finite(rest[pose(*headings, robot)]),
             Self::Carry { headings, n, rest } => finite(rest[pose(*headings, robot) * n + second]),
-            Self::Fetch { n, moves, steps } => match finite(moves[first * n + second])? {
+            Self::Fetch { n, moves } => match finite(moves[first * n + second])? {
                 0 => Some(0),
                 moves => {
-                    let agent = usize::from(robot.0);
-                    let walk = steps[agent * n + first].min(steps[agent * n + second]);
-                    Some(moves + finite(walk)?.saturating_sub(1))
+                    let walk = steps.between(robot.0, one).into_iter();
+                    Some(moves + walk.chain(steps.between(robot.0, other)).min()?.saturating_sub(1))
                 }
             },
             Self::Unknown => Some(0),
+        }
+    }
+
+    /// The moves that two objects need at these places, 0 when that is not known; `None` for never.
+    #[inline]
+    pub(super) fn moves(&self, first: Place, second: Place) -> Option<u32> {
+        match self {
+            Self::Fetch { n, moves } => finite(moves[usize::from(first) * n + usize::from(second)]),
+            Self::Robot { .. } | Self::Carry { .. } | Self::Unknown => Some(0),
         }
     }
 }
@@ -68,6 +75,41 @@ impl Table {
 #[inline]
 fn pose(headings: usize, (place, heading): (Place, Direction)) -> usize {
     usize::from(place) * headings + heading as usize % headings
+}
+
+/// A number of actions, unless it is never.
+#[inline]
+fn finite(actions: u16) -> Option<u32> {
+    (actions != NEVER).then_some(u32::from(actions))
+}
+
+/// Steps of a robot up to a thing, by their places.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Steps {
+    n: usize,
+    /// Empty in a world that is too large for it.
+    steps: Vec<u16>,
+}
+
+impl Steps {
+    /// The steps, at least 1; `None` when no number suffices. 1 when nothing is known.
+    #[inline]
+    pub(super) fn between(&self, robot: Place, thing: Place) -> Option<u32> {
+        let known = self.steps.get(usize::from(robot) * self.n + usize::from(thing));
+        known.map_or(Some(1), |&steps| finite(steps))
+    }
+}
+
+/// Moves of one object until it is where a goal wants it, by its place.
+#[derive(Clone, Debug)]
+pub(super) struct Moves(Vec<u16>);
+
+impl Moves {
+    /// The moves from a place; `None` when no number suffices.
+    #[inline]
+    pub(super) fn from(&self, place: Place) -> Option<u32> {
+        finite(self.0[usize::from(place)])
+    }
 }
 
 impl<'a> Ground<'a> {
@@ -144,25 +186,55 @@ impl<'a> Ground<'a> {
         let mut search = Search::new(self, 1, n, self.pairs(goal));
         while let Some((first, _, second)) = search.next() {
             for &direction in Direction::ALL {
-                for (moved, other, is_first) in [(first, second, true), (second, first, false)] {
-                    let before = self.next(moved, direction);
-                    // To push it from there, the robot must stand behind it.
-                    let can_move =
-                        before != NOWHERE && (self.pull || self.next(before, direction) != NOWHERE);
-                    if can_move && before != other && self.is_open(moved) {
-                        let (a, b) = if is_first { (before, other) } else { (other, before) };
-                        search.reach((a, direction), b);
-                    }
+                if let Some(before) = self.moved_from(first, direction, second) {
+                    search.reach((before, direction), second);
+                }
+                if let Some(before) = self.moved_from(second, direction, first) {
+                    search.reach((first, direction), before);
                 }
             }
         }
-        let mut steps = vec![NEVER; n * n];
-        for to in self.places() {
-            for (from, &d) in self.steps_to(to).iter().enumerate() {
-                steps[from * n + usize::from(to)] = d;
+        Table::Fetch { n, moves: search.rest }
+    }
+
+    /// Moves of one object until `goal` holds of it.
+    pub(super) fn moves(&self, goal: impl Fn(Place) -> bool) -> Moves {
+        let goals = self.places().filter(|&p| goal(p)).map(|p| (p, 0));
+        let mut search = Search::new(self, 1, 1, goals);
+        while let Some((object, ..)) = search.next() {
+            for &direction in Direction::ALL {
+                if let Some(before) = self.moved_from(object, direction, NOWHERE) {
+                    search.reach((before, direction), 0);
+                }
             }
         }
-        Table::Fetch { n, moves: search.rest, steps }
+        Moves(search.rest)
+    }
+
+    /// The place on this side that an object may have been moved here from; not that of another thing.
+    fn moved_from(&self, object: Place, direction: Direction, other: Place) -> Option<Place> {
+        let before = self.next(object, direction);
+        let can_move = before != NOWHERE
+            && before != other
+            && self.is_open(object)
+            // To push it from there, the robot must stand behind it.
+            && (self.pull || self.next(before, direction) != NOWHERE);
+        can_move.then_some(before)
+    }
+
+    /// Steps of the robot, from everywhere to everywhere.
+    pub(super) fn steps(&self) -> Steps {
+        let n = self.len();
+        let mut steps = Vec::new();
+        if self.has_room(1) {
+            steps.resize(n * n, NEVER);
+            for to in self.places() {
+                for (from, &d) in self.steps_to(to).iter().enumerate() {
+                    steps[from * n + usize::from(to)] = d;
+                }
+            }
+        }
+        Steps { n, steps }
     }
 
     /// Steps of the robot to a place, wherever it faces.

@@ -5,7 +5,7 @@ pub(crate) mod chances;
 #[path = "dynamics/plain.rs"]
 pub(crate) mod plain;
 
-use groundling::domain::{Action, Dynamics, Plan, Rules, State, generate, text};
+use groundling::domain::{Action, Direction, Dynamics, Plan, Rules, State, generate, text};
 
 #[test]
 fn every_drawing_moves_as_drawn() {
@@ -73,6 +73,23 @@ fn packing_is_undone_by_unpacking() {
     for state in worlds(100) {
         let dynamics = Dynamics::new(&state, Rules::default()).unwrap();
         assert_eq!(dynamics.unpack(dynamics.pack(&state).unwrap()), state);
+    }
+}
+
+#[test]
+fn the_robot_can_be_put_on_every_cell_that_is_free() {
+    for state in worlds(20) {
+        let dynamics = Dynamics::new(&state, Rules::default()).unwrap();
+        let packed = dynamics.pack(&state).unwrap();
+        for place in dynamics.layout().places() {
+            let (x, y) = dynamics.layout().cell(place);
+            let found = dynamics.with_agent(packed, place, Direction::West);
+            let mut expected = state.clone();
+            (expected.agent.x, expected.agent.y) = (x, y);
+            expected.agent.direction = Direction::West;
+            let is_free = state.objects.iter().all(|o| (o.x, o.y) != (x, y));
+            assert_eq!(found.map(|p| dynamics.unpack(p)), is_free.then_some(expected));
+        }
     }
 }
 

@@ -1,6 +1,8 @@
 //! Plans are shortest: against the conformance file, and on random worlds against a breadth-first search
 //! that has its own, plain idea of how the world moves.
 
+#[path = "planning/bounds.rs"]
+mod bounds;
 #[path = "planning/forms.rs"]
 mod forms;
 #[path = "planning/horizon.rs"]
@@ -186,6 +188,8 @@ fn goals(state: &State) -> Vec<String> {
         all.push(says("near", first, last));
         all.push(says("left", first, last));
         all.push(and(says("right", first, last), says("in", first, &room[0])));
+        all.push(and(says("in", first, &room[1]), says("in", last, &room[2])));
+        all.push(and(not(says("in", first, &room[1])), says("in", last, &room[0])));
     }
     all
 }
