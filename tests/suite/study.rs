@@ -2,7 +2,7 @@
 
 use crate::command::{answers, call};
 use groundling::corpus::{Form, Options, read};
-use groundling::domain::Color;
+use groundling::domain::{Blueprint, Color, Lock, State, Style};
 use groundling::ground::Goal;
 use groundling::logic::{TermId, Terms, read as form};
 use groundling::study::{DrawError, Paint, StudyTask, TASKS, draw, read_tasks};
@@ -172,6 +172,47 @@ fn the_command_writes_a_corpus() {
 }
 
 #[test]
+fn the_command_builds_worlds() {
+    let output = call(
+        &[
+            "generate",
+            "--worlds",
+            "3",
+            "--rooms",
+            "6",
+            "--columns",
+            "20",
+            "--rows",
+            "14",
+            "--objects",
+            "5",
+            "--style",
+            "hall",
+            "--lock",
+            "unknown",
+            "--seed",
+            "8",
+        ],
+        "",
+    );
+    assert!(output.status.success(), "{output:?}");
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(text.lines().count(), 3);
+    let plan = Blueprint {
+        style: Style::Hall,
+        rooms: 6,
+        columns: 20,
+        rows: 14,
+        objects: 5,
+        lock: Lock::Unknown,
+        connected: true,
+    };
+    for (seed, line) in (8..).zip(text.lines()) {
+        assert_eq!(State::read(line).unwrap(), plan.build(seed).unwrap());
+    }
+}
+
+#[test]
 fn the_command_refuses_in_a_line() {
     let bad = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("bad-tasks.txt");
     std::fs::write(&bad, "task a\n").unwrap();
@@ -184,6 +225,14 @@ fn the_command_refuses_in_a_line() {
         (&["--tasks", "nowhere.txt"], "cannot read nowhere.txt"),
         (&["--tasks", bad], "line 1: the task `a` has no line `goal`"),
         (&["--tasks", "all", "more"], "unexpected argument"),
+        (&["--tasks", "all", "--fast"], "invalid option '--fast'"),
+        (
+            &["--tasks", "all", "--rooms", "4"],
+            "--tasks is for pairs of states and --rooms for worlds",
+        ),
+        (&["--rooms", "4"], "--worlds N is missing"),
+        (&["--worlds", "1", "--rooms", "40"], "the world of seed 0: 40 rooms: use 3 to 12"),
+        (&["--worlds", "1", "--style", "maze"], "use one of cuts, rows, hall"),
     ] {
         let output = call(&[&["generate"], arguments].concat(), "");
         let error = String::from_utf8(output.stderr).unwrap();

@@ -1,38 +1,90 @@
-//! `generate`: tasks in, pairs of states out, for a study.
+//! `generate`: tasks in, pairs of states out, for a study; or worlds from a blueprint.
 
 use super::command::{Command, Done, Failure};
 use super::corpora::text;
 use groundling::corpus::{Corpus, Example, example::MAX_PAIRS, jsonl, mturk};
+use groundling::domain::Blueprint;
 use groundling::study::{TASKS, draw, read_tasks};
 use lexopt::ValueExt;
+use std::ffi::OsString;
 use std::io::{self, BufWriter, Write};
 
 pub(crate) const COMMAND: Command = Command {
     name: "generate",
-    about: "Draw pairs of states, before and after, for the tasks of a study",
-    usage: "--tasks FILE|all [--pairs N] [--seed N] [--json]",
+    about: "Draw pairs of states for the tasks of a study, or worlds",
+    usage: "--tasks FILE|all [--pairs N] [--seed N] [--json] | --worlds N [OPTIONS]",
     details: "  --tasks FILE|all  a file of tasks, or the 23 of the corpus\n\
               \x20 --pairs N         pairs for each task (3)\n\
               \x20 --seed N          of everything that is drawn (0)\n\
               \x20 --json            JSON lines instead of batch-results CSV\n\
               \n\
               A row a task: its name, its pairs, and in the command's column one way to say it, until people have\n\
-              said theirs. What the pairs of a task leave open is told on standard error.",
+              said theirs. What the pairs of a task leave open is told on standard error.\n\
+              \n\
+              \x20 --worlds N        instead of pairs: a world a line, as JSON, by the seeds from --seed on\n\
+              \x20 --style STYLE     cuts, rows, or hall: rooms along a corridor (cuts)\n\
+              \x20 --rooms N         3 to 12 (3)\n\
+              \x20 --columns N       cells from west to east, 7 to 32 (9)\n\
+              \x20 --rows N          cells from south to north, 7 to 32 (9)\n\
+              \x20 --objects N       up to 8 (1)\n\
+              \x20 --lock LOCK       of every door: unlocked, locked or unknown (unlocked)\n\
+              \x20 --divided         two parts with no door between them",
     run,
 };
 
+#[derive(Default)]
+struct Options {
+    tasks: Option<OsString>,
+    worlds: Option<u64>,
+    pairs: Option<usize>,
+    seed: u64,
+    json: bool,
+    blueprint: Blueprint,
+}
+
 fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
-    let (mut file, mut n, mut seed, mut json) = (None, 3_usize, 0_u64, false);
+    let mut options = Options::default();
+    // The last option that only worlds have, or only pairs.
+    let (mut of_worlds, mut of_pairs) = (None, None);
     while let Some(argument) = arguments.next()? {
-        match argument {
-            lexopt::Arg::Long("tasks") => file = Some(arguments.value()?),
-            lexopt::Arg::Long("pairs") => n = arguments.value()?.parse()?,
-            lexopt::Arg::Long("seed") => seed = arguments.value()?.parse()?,
-            lexopt::Arg::Long("json") => json = true,
-            other => return Err(other.unexpected().into()),
+        let lexopt::Arg::Long(name) = argument else { return Err(argument.unexpected().into()) };
+        let name = name.to_owned();
+        let blueprint = &mut options.blueprint;
+        match name.as_str() {
+            "seed" => options.seed = arguments.value()?.parse()?,
+            "tasks" => options.tasks = Some(arguments.value()?),
+            "pairs" => options.pairs = Some(arguments.value()?.parse()?),
+            "json" => options.json = true,
+            "worlds" => options.worlds = Some(arguments.value()?.parse()?),
+            "style" => blueprint.style = arguments.value()?.parse()?,
+            "rooms" => blueprint.rooms = arguments.value()?.parse()?,
+            "columns" => blueprint.columns = arguments.value()?.parse()?,
+            "rows" => blueprint.rows = arguments.value()?.parse()?,
+            "objects" => blueprint.objects = arguments.value()?.parse()?,
+            "lock" => blueprint.lock = arguments.value()?.parse()?,
+            "divided" => blueprint.connected = false,
+            _ => return Err(lexopt::Arg::Long(&name).unexpected().into()),
+        }
+        match name.as_str() {
+            "seed" | "json" => {}
+            "tasks" | "pairs" => of_pairs = Some(name),
+            _ => of_worlds = Some(name),
         }
     }
-    let file = file.ok_or_else(|| Failure::Usage("--tasks FILE|all is missing".into()))?;
+    match (of_pairs, of_worlds) {
+        (Some(pairs), Some(worlds)) => Err(Failure::Usage(format!(
+            "--{pairs} is for pairs of states and --{worlds} for worlds: leave one out"
+        ))),
+        (_, Some(_)) => worlds(&options),
+        (_, None) => pairs(&options),
+    }
+}
+
+/// Pairs for the tasks of a study.
+fn pairs(options: &Options) -> Result<Done, Failure> {
+    let missing = || Failure::Usage("--tasks FILE|all is missing, or --worlds N".into());
+    let file = options.tasks.as_ref().ok_or_else(missing)?;
+    let n = options.pairs.unwrap_or(3);
     if !(1..=MAX_PAIRS).contains(&n) {
         return Err(Failure::Usage(format!("--pairs {n}: use 1 to {MAX_PAIRS}")));
     }
@@ -43,7 +95,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     let mut corpus = Corpus::default();
     let mut error = io::stderr();
     for task in &tasks {
-        let drawn = draw(&tasks, &task.name, n, seed)
+        let drawn = draw(&tasks, &task.name, n, options.seed)
             .map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
         if !drawn.open.is_empty() {
             // Nobody may be listening there; the pairs are good all the same.
@@ -61,7 +113,22 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         });
     }
     let out = BufWriter::new(io::stdout().lock());
-    if json { jsonl::write(&corpus, out) } else { mturk::write(&corpus, out) }
+    if options.json { jsonl::write(&corpus, out) } else { mturk::write(&corpus, out) }
         .map_err(Failure::Output)?;
+    Ok(Done::Well)
+}
+
+/// Worlds from a blueprint, a line each.
+fn worlds(options: &Options) -> Result<Done, Failure> {
+    let n = options.worlds.ok_or_else(|| Failure::Usage("--worlds N is missing".into()))?;
+    let mut out = BufWriter::new(io::stdout().lock());
+    for seed in (0..n).map(|i| options.seed.wrapping_add(i)) {
+        let state = options
+            .blueprint
+            .build(seed)
+            .map_err(|e| Failure::Usage(format!("the world of seed {seed}: {e}")))?;
+        writeln!(out, "{}", state.write()).map_err(Failure::Output)?;
+    }
+    out.flush().map_err(Failure::Output)?;
     Ok(Done::Well)
 }

@@ -5,6 +5,11 @@ use super::plain;
 use groundling::domain::{
     Action, Chances, Dynamics, Form, Lock, Movable, Packed, Plan, Rules, State, generate, text,
 };
+use groundling::ground::{Goal, Task};
+use groundling::logic::{Terms, read};
+use groundling::mdp::{self, Mdp};
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
 
 /// A robot between a chair, with a door behind it, and a bag.
 const ROW: &str = "###########\n#rrG>C?bbb#\n###########\n\n\
@@ -233,6 +238,41 @@ fn states_taken_for_one_have_the_same_prospects() {
         }
     }
     assert!(taken > 1000, "{taken}");
+}
+
+#[test]
+fn draws_are_as_frequent_as_their_probabilities_say() {
+    const DRAWS: u32 = 2_000;
+    let mut tested = 0;
+    for seed in 0..60 {
+        let (state, rules) = random(seed);
+        let mut terms = Terms::new();
+        let never = read(&mut terms, "false:t").unwrap();
+        let task = Task::new(&Goal::new(&terms, never, &state).unwrap(), &state, rules).unwrap();
+        let mut rng = Pcg64Mcg::seed_from_u64(seed);
+        for packed in walk(task.dynamics(), &state, seed, 8) {
+            for &action in rules.actions() {
+                let (mut out, mut buffer) = (Vec::new(), Vec::new());
+                task.world().successors(packed, action, &mut out);
+                let mut seen = vec![0_u32; out.len()];
+                for _ in 0..if out.len() > 1 { DRAWS } else { 1 } {
+                    let next = mdp::sample(&task.world(), packed, action, &mut buffer, &mut rng);
+                    seen[out.iter().position(|o| o.0 == next).unwrap()] += 1;
+                }
+                if out.len() > 1 {
+                    let off = |(o, n): (&(Packed, f64), &u32)| {
+                        let expected = o.1 * f64::from(DRAWS);
+                        (f64::from(*n) - expected).powi(2) / expected
+                    };
+                    let chi_square: f64 = out.iter().zip(&seen).map(off).sum();
+                    // At most four degrees of freedom: less than one in a million is above.
+                    assert!(chi_square < 35.0, "seed {seed} {action}: {out:?} {seen:?}");
+                    tested += 1;
+                }
+            }
+        }
+    }
+    assert!(tested > 200, "{tested}");
 }
 
 #[test]
