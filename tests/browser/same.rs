@@ -2,8 +2,12 @@
 //! `tests/data/same.txt` natively, in the page and in a dedicated worker. That page and command line learn the
 //! same model to the last byte is held end to end.
 
-use groundling::domain::{Plan, State, generate};
+use groundling::domain::{
+    Action, Blueprint, Chances, Form, Lock, Plan, Rules, State, Style, generate,
+};
+use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
+use groundling::mdp::simulate;
 use groundling::worker::job::Engine;
 use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
 use std::fmt::Write;
@@ -41,8 +45,39 @@ fn report() -> String {
     }
     let worlds: String = (0..200).map(|seed| generate(&Plan::default(), seed).write()).collect();
     writeln!(out, "worlds {:016x}", fnv1a(&worlds)).expect("a string takes any text");
+    drawn(&mut out);
     learned(&mut out);
     out
+}
+
+/// What is drawn by seed: worlds of many rooms, runs through a world where things go wrong.
+fn drawn(out: &mut String) {
+    let styles = || Style::ALL.iter().flat_map(|&style| (0..20).map(move |seed| (style, seed)));
+    let plan = Blueprint { rooms: 7, columns: 24, rows: 16, objects: 4, ..Blueprint::default() };
+    let plan = Blueprint { lock: Lock::Unknown, ..plan };
+    let built: String = styles()
+        .map(|(style, seed)| match (Blueprint { style, ..plan }).build(seed) {
+            Ok(state) => state.write(),
+            Err(error) => error.to_string(),
+        })
+        .collect();
+    let mut terms = Terms::new();
+    let never = read(&mut terms, "false:t").expect("a term");
+    let chances = Chances::new(0.1, 0.3, 0.2).expect("probabilities");
+    let rules = Rules { pull: true, form: Form::Robot, chances, ..Rules::default() };
+    let mut runs = String::new();
+    for (style, seed) in styles().step_by(5) {
+        let state = (Blueprint { style, ..plan }).build(seed).expect("there is room");
+        let goal = Goal::new(&terms, never, &state).expect("a goal");
+        let task = Task::new(&goal, &state, rules).expect("a world that fits");
+        let actions: Vec<Action> = rules.actions().iter().copied().cycle().take(300).collect();
+        for packed in simulate(&task.world(), &actions, seed) {
+            runs += &task.dynamics().unpack(packed).write();
+        }
+    }
+    for (what, text) in [("built", built), ("runs", runs)] {
+        writeln!(out, "{what} {:016x}", fnv1a(&text)).expect("a string takes any text");
+    }
 }
 
 /// Trains on the six sentences and asks, through the engine that page and command line pump alike.
