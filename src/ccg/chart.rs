@@ -4,6 +4,7 @@
 
 use super::category::Category;
 use super::combinator::{Grammar, Made, RuleId};
+use super::features::{Feature, Features};
 use super::reach::Reach;
 use super::syntax::SyntaxId;
 use rustc_hash::FxHashMap;
@@ -128,9 +129,9 @@ impl Chart {
     /// that `admit` refuses, are left out.
     pub fn fill(
         grammar: &mut Grammar,
+        features: &Features,
         words: usize,
         lexical: Vec<Lexical>,
-        rule_score: impl Fn(RuleId) -> f64,
         admit: impl FnMut(&Grammar, (usize, usize), Category) -> bool,
         config: ChartConfig,
     ) -> Chart {
@@ -148,9 +149,10 @@ impl Chart {
         for (index, item) in (0..).zip(&chart.lexical) {
             items[item.start * (words + 1) + item.end].push(index);
         }
+        let loss = features.value(Feature::Lost);
         let reach = Reach::new(grammar, words, &chart.lexical);
         let cell = Cell { span: (0, 0), edges: Vec::new(), known: FxHashMap::default(), admit };
-        let mut filling = Filling { chart, grammar, rule_score, config, items, reach, cell };
+        let mut filling = Filling { chart, grammar, features, loss, config, items, reach, cell };
         for width in 1..=words {
             for start in 0..=words - width {
                 filling.span(start, start + width);
@@ -212,10 +214,12 @@ impl Chart {
 }
 
 /// A chart while it is filled, with the cell at work.
-struct Filling<'a, F, A> {
+struct Filling<'a, A> {
     chart: Chart,
     grammar: &'a mut Grammar,
-    rule_score: F,
+    features: &'a Features,
+    /// What it adds to a score that a step loses a predicate.
+    loss: f64,
     config: ChartConfig,
     /// The lexical items of each span.
     items: Vec<Vec<u32>>,
@@ -241,7 +245,7 @@ struct Found {
     split: u32,
 }
 
-impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, F, A> {
+impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
     fn span(&mut self, start: usize, end: usize) {
         self.cell.known.clear();
         self.cell.span = (start, end);
@@ -270,7 +274,7 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
 
     /// All pairs of neighbours that a rule combines.
     fn join(&mut self, start: usize, split: usize, end: usize) {
-        let Filling { chart, grammar, rule_score, config, reach, cell, .. } = self;
+        let Filling { chart, grammar, features, loss, config, reach, cell, .. } = self;
         let Chart { spans, edges, others, tried, over_budget, words, .. } = chart;
         let (lefts, rights) =
             (&spans[start * (*words + 1) + split], &spans[split * (*words + 1) + end]);
@@ -281,7 +285,7 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
                     if !reach.is_useful(start, end, syntax) {
                         continue;
                     }
-                    let own = rule_score(rule);
+                    let own = features.value(Feature::Rule(rule));
                     for &l in lefts {
                         let left = edges[l as usize];
                         for &r in rights {
@@ -299,10 +303,11 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
                             else {
                                 continue;
                             };
+                            let lost = f64::from(grammar.lost(&[f, g], meaning));
                             let found = Found {
                                 category: Category { syntax, meaning },
                                 made: rule.makes(),
-                                score: left.score + right.score + own,
+                                score: left.score + right.score + own + lost * *loss,
                                 step: Step::Binary { rule, left: l, right: r },
                                 split: split as u32,
                             };
@@ -342,7 +347,9 @@ impl<F: Fn(RuleId) -> f64, A: FnMut(&Grammar, (usize, usize), Category) -> bool>
                 if !self.reach.is_useful(start, end, category.syntax) {
                     continue;
                 }
-                let score = edge.score + (self.rule_score)(rule);
+                let lost = self.grammar.lost(&[edge.category.meaning], category.meaning);
+                let own = self.features.value(Feature::Rule(rule));
+                let score = edge.score + own + f64::from(lost) * self.loss;
                 let step = Step::Shift { rule, child };
                 let split = start as u32;
                 self.add(Found { category, made: Made::ByShift, score, step, split });

@@ -202,6 +202,13 @@ impl Grammar {
         self.sorts.fit(&self.terms, meaning)
     }
 
+    /// How many predicates of the parts are missing from what came of them.
+    pub fn lost(&self, parts: &[TermId], whole: TermId) -> u32 {
+        let said =
+            parts.iter().fold(0, |sum, &part| self.terms.predicates(part).saturating_add(sum));
+        said.saturating_sub(self.terms.predicates(whole))
+    }
+
     /// The syntactic categories that shifts make of another.
     pub(super) fn shifted_syntaxes(&self, from: SyntaxId) -> impl Iterator<Item = SyntaxId> {
         self.shifts.iter().filter(move |shift| shift.from == from).map(|shift| shift.to)

@@ -124,9 +124,12 @@ impl Derivation {
     fn collect_features(&self, model: &Model, found: &mut Vec<Feature>) {
         match self {
             Derivation::Leaf { entry, .. } => found.extend(model.entry_features(*entry)),
-            Derivation::Node { rule, children, .. } => {
+            Derivation::Node { rule, children, category } => {
                 children.iter().for_each(|child| child.collect_features(model, found));
                 found.push(Feature::Rule(*rule));
+                let parts: Vec<TermId> = children.iter().map(|c| c.category().meaning).collect();
+                let lost = model.grammar.lost(&parts, category.meaning) as usize;
+                found.extend(std::iter::repeat_n(Feature::Lost, lost));
             }
         }
     }

@@ -21,6 +21,8 @@ pub enum Feature {
     Skip,
     /// A word goes without meaning although the lexicon has constants for it.
     Dropped,
+    /// A step leaves out a predicate that words brought in: an afterthought, a clause that sets no goal.
+    Lost,
     /// Two different predicates occur anywhere in the goal (Williams et al., Section IV-B-1: it tells `in` from
     /// `near` when the words do not). The first name is the smaller.
     Pair(ConstantId, ConstantId),
@@ -35,6 +37,12 @@ pub enum Feature {
 }
 
 impl Feature {
+    /// Whether training moves its weight. What is said is meant, in any corpus: what it costs to leave words out
+    /// is a price set once, else what the trained tasks can do without is left out of those never seen.
+    pub fn is_learned(self) -> bool {
+        !matches!(self, Feature::Skip | Feature::Dropped | Feature::Lost)
+    }
+
     /// How much one occurrence counts.
     pub fn scale(self) -> f64 {
         match self {
@@ -46,6 +54,7 @@ impl Feature {
             | Feature::Entry(_)
             | Feature::Skip
             | Feature::Dropped
+            | Feature::Lost
             | Feature::Conjoined(..)
             | Feature::Alone(_) => 1.0,
         }

@@ -17,6 +17,8 @@ pub const SEED: f64 = 3.0;
 const SKIP: f64 = -1.0;
 /// The weight of a word that is dropped although it has a meaning: what is said is meant.
 const DROP: f64 = -3.0;
+/// The weight of a predicate that a step leaves out.
+const LOSS: f64 = -1.5;
 
 /// What is wrong with a lexicon's text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -29,7 +31,7 @@ pub struct LexiconError {
 }
 
 /// Reads a seed lexicon into a model, with weights after the reference's: a lexeme 1, an entry words^1.1, each times
-/// [`SEED`]; a skipped word −1.
+/// [`SEED`]; what is said and left out costs [`SKIP`], [`DROP`] and [`LOSS`].
 ///
 /// # Errors
 /// With the line and what is wrong there.
@@ -42,6 +44,7 @@ pub fn read_lexicon(model: &mut Model, text: &str) -> Result<(), LexiconError> {
     }
     model.features.set(Feature::Skip, SKIP);
     model.features.set(Feature::Dropped, DROP);
+    model.features.set(Feature::Lost, LOSS);
     Ok(())
 }
 

@@ -339,6 +339,7 @@ impl Model {
             Feature::Rule(rule) => format!("rule\t{}", self.grammar.rule_name(rule)),
             Feature::Skip => "skip".to_owned(),
             Feature::Dropped => "dropped".to_owned(),
+            Feature::Lost => "lost".to_owned(),
             Feature::Pair(a, b) => format!("pair\t{}\t{}", self.constant(a), self.constant(b)),
             Feature::Conjoined(a, b) => {
                 format!("conjoined\t{}\t{}", self.constant(a), self.constant(b))
@@ -369,6 +370,7 @@ impl Model {
             ),
             ["skip"] => Feature::Skip,
             ["dropped"] => Feature::Dropped,
+            ["lost"] => Feature::Lost,
             ["pair", a, b] => Feature::Pair(self.read_constant(a)?, self.read_constant(b)?),
             ["conjoined", a, b] => {
                 Feature::Conjoined(self.read_constant(a)?, self.read_constant(b)?)

@@ -6,7 +6,7 @@ use super::category::Category;
 use super::chart::{Chart, ChartConfig, Lexical};
 use super::combinator::Grammar;
 use super::derivation::Derivation;
-use super::features::{Feature, root_features};
+use super::features::root_features;
 use super::lexicon::EntryId;
 use super::model::Model;
 use super::sentence::{MAX_WORDS, words};
@@ -112,7 +112,8 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
         _ => None,
     };
     if reason.is_some() {
-        let chart = Chart::fill(&mut model.grammar, 0, Vec::new(), |_| 0.0, |_, _, _| true, config);
+        let chart =
+            Chart::fill(&mut model.grammar, &model.features, 0, Vec::new(), |_, _, _| true, config);
         let (readings, skipped) = (Vec::new(), Vec::new());
         return Parse { words, readings, skipped, reason, tried: 0, chart };
     }
@@ -161,9 +162,8 @@ pub fn fill(
     admit: impl FnMut(&Grammar, (usize, usize), Category) -> bool,
     config: ChartConfig,
 ) -> Parse {
-    let features = &model.features;
-    let rule_score = |rule| features.value(Feature::Rule(rule));
-    let chart = Chart::fill(&mut model.grammar, words.len(), lexical, rule_score, admit, config);
+    let Model { grammar, features, .. } = model;
+    let chart = Chart::fill(grammar, features, words.len(), lexical, admit, config);
     let readings = readings(model, &chart);
     let tried = chart.tried;
     let words = words.to_vec();

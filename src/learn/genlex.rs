@@ -2,15 +2,13 @@
 //! template with one placeholder constant a type; what a full parse used is filled in with every constant of the
 //! type. What comes out are candidates: only validation makes them entries.
 
-use super::novelty::{Novelty, novelty};
+use super::novelty::novelty;
 use crate::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
 use crate::ccg::chart::{Chart, ChartConfig, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
 use crate::ccg::parse::lexical_items;
-use crate::ccg::{
-    Atom, Category, EntryId, Feature, Grammar, Hole, Model, Origin, SyntaxId, TemplateId,
-};
+use crate::ccg::{Atom, Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId};
 use crate::logic::{ConstantId, TyId, ty};
 use rustc_hash::FxHashSet;
 
@@ -89,7 +87,7 @@ fn empty_candidates(model: &mut Model, words: &[String]) -> Vec<Option<EntryId>>
     let mut candidates = Vec::with_capacity(words.len());
     for (word, known) in words.iter().zip(known) {
         let novelty = novelty(model, std::slice::from_ref(word));
-        let new = known.is_none() && matches!(novelty, Novelty::Any);
+        let new = known.is_none() && novelty.admits_silence();
         candidates.push(if new { add(model, word, template) } else { known });
     }
     candidates
@@ -149,11 +147,10 @@ fn coarse_chart(
     }
     let costs = absorption(model, words, empty, Leniency::Learned);
     let items = absorbing(items, &costs);
-    let features = &model.features;
-    let rule_score = |rule| features.value(Feature::Rule(rule));
+    let Model { grammar, features, .. } = model;
     let config = ChartConfig { all_derivations: true, allow_vacuous: true, ..config };
     let all = |_: &Grammar, _: (usize, usize), _: Category| true;
-    Chart::fill(&mut model.grammar, words.len(), items, rule_score, all, config)
+    Chart::fill(grammar, features, words.len(), items, all, config)
 }
 
 /// The templates that any full parse in the chart used, with their spans, in order and once each. Every category

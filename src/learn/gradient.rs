@@ -21,7 +21,7 @@ pub fn update(
     margin: f64,
     moment: f64,
 ) -> bool {
-    update_where(features, readings, valid, (margin, moment), |_| true)
+    update_where(features, readings, valid, (margin, moment), Feature::is_learned)
 }
 
 /// The same step for those weights alone that `moves` lets move; margin and moment.

@@ -1,5 +1,5 @@
 //! What words may newly come to mean. The seed lexicon is what an English speaker brings along: a corpus does not
-//! teach that "red" is a place, nor that it says nothing. Only nouns stretch: a "box" may be any movable thing.
+//! teach that "red" is a place, nor that "the" is a chair. Only nouns stretch: a "box" may be any movable thing.
 
 use crate::ccg::{Atom, EntryId, Model, Origin, SyntaxId};
 use crate::logic::ConstantId;
@@ -11,41 +11,51 @@ pub enum Novelty {
     Any,
     /// They may name other things of the same sort as these nouns do.
     Like(Vec<ConstantId>),
+    /// They may mean nothing: they frame what others say, as "move" and "the" do, and here there may be no frame.
+    Silence,
     /// They mean what the seed says.
     None,
 }
 
 /// How far the meaning of the words of a span is open.
 pub fn novelty(model: &Model, span: &[String]) -> Novelty {
-    let settled: Vec<EntryId> = span.iter().flat_map(|word| settled(model, word)).collect();
-    if settled.is_empty() {
+    let lexicon = &model.lexicon;
+    let constants = |id: EntryId| &lexicon.lexeme(lexicon.entry(id).lexeme).constants;
+    let syntax = |id: EntryId| lexicon.category(id).syntax;
+    let known: Vec<EntryId> = span.iter().flat_map(|word| seed_meanings(model, word)).collect();
+    if known.is_empty() {
         return Novelty::Any;
     }
-    let is_noun = |id: &EntryId| {
-        model.grammar.syntaxes.is(model.lexicon.category(*id).syntax, Atom::N) && span.len() == 1
-    };
-    let constants = |id| model.lexicon.lexeme(model.lexicon.entry(id).lexeme).constants.iter();
+    if known.iter().all(|&id| constants(id).is_empty()) {
+        return Novelty::Silence;
+    }
+    let is_noun = |&id: &EntryId| model.grammar.syntaxes.is(syntax(id), Atom::N) && span.len() == 1;
     let nouns: Vec<ConstantId> =
-        settled.into_iter().filter(is_noun).flat_map(constants).copied().collect();
+        known.into_iter().filter(is_noun).flat_map(constants).copied().collect();
     if nouns.is_empty() { Novelty::None } else { Novelty::Like(nouns) }
 }
 
-/// The seed entries that have constants for a word alone.
-fn settled(model: &Model, word: &str) -> Vec<EntryId> {
+/// The seed entries by which a word alone means something.
+fn seed_meanings(model: &Model, word: &str) -> impl Iterator<Item = EntryId> {
     let lexicon = &model.lexicon;
-    let has_constants =
-        |id: &EntryId| !lexicon.lexeme(lexicon.entry(*id).lexeme).constants.is_empty();
-    let entries = lexicon.entries_for_word(word).iter().copied();
-    entries.filter(|id| lexicon.origin(*id) == Origin::Seed).filter(has_constants).collect()
+    let means = |id: &EntryId| {
+        lexicon.origin(*id) == Origin::Seed && lexicon.category(*id).syntax != SyntaxId::EMPTY
+    };
+    lexicon.entries_for_word(word).iter().copied().filter(means)
 }
 
 impl Novelty {
+    /// Whether the words may mean nothing.
+    pub fn admits_silence(&self) -> bool {
+        matches!(self, Novelty::Any | Novelty::Silence)
+    }
+
     /// Whether the words may have the syntactic category.
     pub fn admits_syntax(&self, model: &Model, syntax: SyntaxId) -> bool {
         match self {
             Novelty::Any => true,
             Novelty::Like(_) => model.grammar.syntaxes.is(syntax, Atom::N),
-            Novelty::None => false,
+            Novelty::Silence | Novelty::None => false,
         }
     }
 
@@ -57,7 +67,7 @@ impl Novelty {
             Novelty::Like(nouns) => constants
                 .iter()
                 .all(|&constant| nouns.iter().any(|&noun| sorts(noun) == sorts(constant))),
-            Novelty::None => false,
+            Novelty::Silence | Novelty::None => false,
         }
     }
 }

@@ -2,7 +2,7 @@
 //! (invariant 1: equal ids exactly when terms are α-equivalent up to the order of conjuncts).
 //! Equality, hash, type, size and free variables of a term cost O(1).
 
-use super::ty::{TRUTH, TyId, Type, Types};
+use super::ty::{ENTITY, TRUTH, TyId, Type, Types};
 use hashbrown::HashTable;
 use rustc_hash::{FxHashMap, FxHasher};
 use std::cmp::Ordering;
@@ -77,6 +77,7 @@ struct Stored {
     /// One more than the largest de Bruijn index that points out of the term.
     free: u32,
     size: u32,
+    predicates: u32,
 }
 
 /// The constants that `and`, `or` and `not` simplification knows.
@@ -168,6 +169,11 @@ impl Terms {
     /// The number of nodes of the term as a tree.
     pub fn size(&self, term: TermId) -> u32 {
         self.at(term).size
+    }
+
+    /// How often constants that say something of an entity occur in it, such as `red` or `in`.
+    pub fn predicates(&self, term: TermId) -> u32 {
+        self.at(term).predicates
     }
 
     /// One more than the largest de Bruijn index that points out of the term: 0 when it is closed.
@@ -270,12 +276,16 @@ impl Terms {
     /// A constant as a head, or as a term when its type is a base type.
     pub(super) fn raw_constant(&mut self, constant: ConstantId) -> TermId {
         let ty = self.constant_ty(constant);
-        self.intern(Stored { shape: Shape::Constant(constant), ty, free: 0, size: 1 }, &[])
+        let shape = Shape::Constant(constant);
+        let of_entities = matches!(self.types.get(ty), Type::Function(ENTITY, _));
+        let predicates = u32::from(of_entities);
+        self.intern(Stored { shape, ty, free: 0, size: 1, predicates }, &[])
     }
 
     /// A variable as a head, or as a term when its type is a base type.
     pub(super) fn raw_variable(&mut self, index: u32, ty: TyId) -> TermId {
-        self.intern(Stored { shape: Shape::Variable(index), ty, free: index + 1, size: 1 }, &[])
+        let shape = Shape::Variable(index);
+        self.intern(Stored { shape, ty, free: index + 1, size: 1, predicates: 0 }, &[])
     }
 
     /// An application whose parts are known to fit, in normal form and in canonical order.
@@ -288,12 +298,15 @@ impl Terms {
         let parts = args.iter().map(|&arg| self.at(arg));
         let size =
             parts.clone().fold(1 + self.size(head), |sum, part| sum.saturating_add(part.size));
+        let predicates = parts
+            .clone()
+            .fold(self.predicates(head), |sum, part| sum.saturating_add(part.predicates));
         let free = parts.fold(self.free(head), |most, part| most.max(part.free));
         if size > MAX_SIZE {
             return Err(LogicError::TooLarge);
         }
         let shape = Shape::Apply { head, start: self.args.len() as u32, len: args.len() as u32 };
-        Ok(self.intern(Stored { shape, ty, free, size }, args))
+        Ok(self.intern(Stored { shape, ty, free, size, predicates }, args))
     }
 
     /// An abstraction over variable 0 of `body`.
@@ -308,7 +321,8 @@ impl Terms {
         let ty = self.types.function(parameter, below.ty);
         let shape = Shape::Lambda { parameter, body };
         let (free, size) = (below.free.saturating_sub(1), below.size + 1);
-        Ok(self.intern(Stored { shape, ty, free, size }, &[]))
+        let predicates = below.predicates;
+        Ok(self.intern(Stored { shape, ty, free, size, predicates }, &[]))
     }
 
     /// The one id of a term; `args` are those of an application and are stored only when it is new.

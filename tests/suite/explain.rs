@@ -1,8 +1,9 @@
 //! Explanations of scores: what the parts add is the score, to the last bit as printed.
 
 use crate::command::{answers, call};
-use groundling::ccg::{ChartConfig, Explanation, Model, parse};
+use groundling::ccg::{ChartConfig, Explanation, Model, Reading, parse};
 use groundling::learn::{CLEANUP_LEXICON, seed_model};
+use groundling::logic::print_human;
 use groundling::worker::Engine;
 use groundling::worker::protocol::{Event, Request};
 use std::path::PathBuf;
@@ -67,6 +68,25 @@ fn an_explanation_names_entries_rules_and_features() {
     }
     let applied = explanation.parts.iter().find(|part| part.feature == "rule >").unwrap();
     assert_eq!(applied.count, 4, "four words take what follows them");
+}
+
+#[test]
+fn a_clause_that_sets_no_goal_costs_what_it_said() {
+    let mut model = model();
+    let config = ChartConfig::of(&model);
+    let command = "move the red chair to the green room and go to the blue room";
+    let parse = parse(&mut model, command, config);
+    let lost = |wanted: &str| {
+        let form = |r: &&Reading| print_human(&model.grammar.terms, r.form) == wanted;
+        let &reading = parse.readings.iter().find(form).unwrap();
+        let parts = Explanation::of(&model, &parse, reading).parts;
+        parts.into_iter().find(|part| part.feature == "lost").map(|part| (part.count, part.adds))
+    };
+    // `in`, `red`, `chair`, `green` and `room` are said for nothing.
+    assert_eq!(lost("in(the agent, the λx. blue(x) ∧ room(x))"), Some((5, -7.5)));
+    let both = "in(the agent, the λx. blue(x) ∧ room(x)) ∧ \
+                in(the λx. chair(x) ∧ red(x), the λx. green(x) ∧ room(x))";
+    assert_eq!(lost(both), None);
 }
 
 #[test]

@@ -31,9 +31,11 @@ fn what_the_seed_says_of_words_stands() {
     }
     for (span, wanted) in [
         ("xyzzy", Novelty::Any),
-        ("the", Novelty::Any),
         ("please", Novelty::Any),
-        ("go xyzzy", Novelty::Any),
+        ("please xyzzy", Novelty::Any),
+        ("the", Novelty::Silence),
+        ("move", Novelty::Silence),
+        ("go xyzzy", Novelty::Silence),
         ("red", Novelty::None),
         ("inside", Novelty::None),
         ("red chair", Novelty::None),
@@ -58,11 +60,15 @@ fn a_noun_stretches_within_its_sort() {
         let constant = property(&mut model, name);
         assert_eq!(chair.admits(&model, &[constant]), may, "a chair that is {name}");
         assert!(Novelty::Any.admits(&model, &[constant]));
+        assert!(!Novelty::Silence.admits(&model, &[constant]));
         assert!(!Novelty::None.admits(&model, &[constant]));
     }
     let [n, s] = [Atom::N, Atom::S].map(|atom| model.grammar.syntaxes.atom(atom));
     assert!(chair.admits_syntax(&model, n) && !chair.admits_syntax(&model, s));
     assert!(Novelty::Any.admits_syntax(&model, s) && !Novelty::None.admits_syntax(&model, n));
+    assert!(!Novelty::Silence.admits_syntax(&model, n) && !Novelty::Silence.admits(&model, &[]));
+    assert!(Novelty::Any.admits_silence() && Novelty::Silence.admits_silence());
+    assert!(!chair.admits_silence() && !Novelty::None.admits_silence());
 }
 
 fn generated(model: &mut Model, command: &str, scope: Scope) -> Generated {
