@@ -326,7 +326,8 @@ impl Trainer {
         }
         let config = chart_config(self.config.lexical_beam, self.config.lexical_budget);
         let generated = generate(&mut self.model, words, scope, config);
-        if generated.candidates.is_empty() {
+        let is_new = |id: &EntryId| self.model.lexicon.origin(*id) == Origin::Candidate;
+        if generated.candidates.is_empty() && !generated.empty.iter().flatten().any(is_new) {
             return;
         }
         let parse = self.parse_with(at, example, &generated);
