@@ -3,5 +3,5 @@
 pub mod tasks;
 pub mod pairs;
 
-pub use pairs::{DrawError, Drawn, draw};
+pub use pairs::{DrawError, Drawing, Drawn, draw};
 pub use tasks::{Look, Paint, StudyTask, TASKS, TaskFileError, read_tasks};

@@ -53,56 +53,107 @@ pub enum DrawError {
     },
 }
 
+/// Pairs for a task, being drawn.
+#[derive(Debug)]
+pub struct Drawing {
+    task: StudyTask,
+    terms: Terms,
+    goal: TermId,
+    /// Readings that the pairs so far do not disprove, with what they are called.
+    open: Vec<(TermId, String)>,
+    rng: Pcg64Mcg,
+    n: usize,
+    pairs: Vec<Pair>,
+    next: Search,
+}
+
+/// The search for one pair.
+#[derive(Debug, Default)]
+struct Search {
+    tries: usize,
+    /// Worlds that would do.
+    fitting: usize,
+    /// The one among them that leaves fewest readings open, and how many.
+    best: Option<(usize, Pair)>,
+    /// What was wrong with the last world that would not.
+    why: &'static str,
+}
+
 /// Draws `n` pairs for the task of this name.
 ///
 /// # Errors
 /// When there is no such task, or no world for it.
 pub fn draw(tasks: &[StudyTask], name: &str, n: usize, seed: u64) -> Result<Drawn, DrawError> {
-    let bad = |message: String| DrawError::BadTask { task: name.to_owned(), message };
-    let task = tasks
-        .iter()
-        .find(|t| t.name == name)
-        .ok_or_else(|| bad("there is no task of this name".into()))?;
-    let mut terms = Terms::new();
-    let mut term = |form: &str| read(&mut terms, form).map_err(|e| bad(e.to_string()));
-    let goal = term(&task.goal)?;
-    let mut open: Vec<(TermId, &str)> = Vec::new();
-    let others = tasks.iter().map(|t| (&t.goal, t.name.as_str()));
-    for (form, name) in others.chain(task.unlike.iter().map(|f| (f, f.as_str()))) {
-        let term = term(form)?;
-        if term != goal && !open.iter().any(|o| o.0 == term) {
-            open.push((term, name));
+    let mut drawing = Drawing::new(tasks, name, n, seed)?;
+    loop {
+        if let Some(ended) = drawing.step() {
+            return ended;
         }
     }
-    let mut rng = Pcg64Mcg::seed_from_u64(mixed(seed, name));
-    let mut pairs: Vec<Pair> = Vec::with_capacity(n);
-    while pairs.len() < n {
-        let mut best: Option<(usize, Pair)> = None;
-        let mut fitting = 0;
-        let mut why = "";
-        for _ in 0..TRIES {
-            match pair(&terms, goal, task, &mut rng) {
-                Ok(pair) if !pairs.contains(&pair) => {
-                    let left = open.iter().filter(|o| explains(&terms, o.0, &pair)).count();
-                    fitting += 1;
-                    if best.as_ref().is_none_or(|b| left < b.0) {
-                        best = Some((left, pair));
-                    }
-                    if left == 0 || fitting == CANDIDATES {
-                        break;
-                    }
-                }
-                Ok(_) => why = "it was drawn before",
-                Err(reason) => why = reason,
+}
+
+impl Drawing {
+    /// Draws `n` pairs for the task of this name, one of these.
+    ///
+    /// # Errors
+    /// When there is no such task.
+    pub fn new(tasks: &[StudyTask], name: &str, n: usize, seed: u64) -> Result<Self, DrawError> {
+        let bad = |message: String| DrawError::BadTask { task: name.to_owned(), message };
+        let task = tasks
+            .iter()
+            .find(|t| t.name == name)
+            .ok_or_else(|| bad("there is no task of this name".into()))?;
+        let mut terms = Terms::new();
+        let mut term = |form: &str| read(&mut terms, form).map_err(|e| bad(e.to_string()));
+        let goal = term(&task.goal)?;
+        let mut open: Vec<(TermId, String)> = Vec::new();
+        let others = tasks.iter().map(|t| (&t.goal, &t.name));
+        for (form, name) in others.chain(task.unlike.iter().map(|f| (f, f))) {
+            let term = term(form)?;
+            if term != goal && !open.iter().any(|o| o.0 == term) {
+                open.push((term, name.clone()));
             }
         }
-        let Some((_, pair)) = best else {
-            return Err(DrawError::NoWorld { task: name.to_owned(), why });
-        };
-        open.retain(|o| explains(&terms, o.0, &pair));
-        pairs.push(pair);
+        let rng = Pcg64Mcg::seed_from_u64(mixed(seed, name));
+        let task = task.clone();
+        Ok(Self { task, terms, goal, open, rng, n, pairs: Vec::new(), next: Search::default() })
     }
-    Ok(Drawn { pairs, open: open.into_iter().map(|o| o.1.to_owned()).collect() })
+
+    /// How many pairs there are so far.
+    pub fn progress(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Tries one more world; the pairs, or why there are none, at the end.
+    pub fn step(&mut self) -> Option<Result<Drawn, DrawError>> {
+        let Self { task, terms, goal, open, rng, n, pairs, next } = self;
+        if pairs.len() == *n {
+            let open = open.iter().map(|o| o.1.clone()).collect();
+            return Some(Ok(Drawn { pairs: pairs.clone(), open }));
+        }
+        next.tries += 1;
+        match pair(terms, *goal, task, rng) {
+            Ok(pair) if !pairs.contains(&pair) => {
+                let left = open.iter().filter(|o| explains(terms, o.0, &pair)).count();
+                next.fitting += 1;
+                if next.best.as_ref().is_none_or(|b| left < b.0) {
+                    next.best = Some((left, pair));
+                }
+            }
+            Ok(_) => next.why = "it was drawn before",
+            Err(reason) => next.why = reason,
+        }
+        let is_best = next.best.as_ref().is_some_and(|b| b.0 == 0);
+        if is_best || next.fitting == CANDIDATES || next.tries == TRIES {
+            let Search { best, why, .. } = std::mem::take(next);
+            let Some((_, pair)) = best else {
+                return Some(Err(DrawError::NoWorld { task: task.name.clone(), why }));
+            };
+            open.retain(|o| explains(terms, o.0, &pair));
+            pairs.push(pair);
+        }
+        None
+    }
 }
 
 /// Whether a form is false before and true after, its references bound before.

@@ -1,11 +1,12 @@
 //! Studies: the file of tasks, the pairs that are drawn for them, and the command that writes both.
 
 use crate::command::{answers, call};
+use crate::dynamics::chances::Draws;
 use groundling::corpus::{Form, Options, read};
 use groundling::domain::{Blueprint, Color, Lock, State, Style};
 use groundling::ground::Goal;
 use groundling::logic::{TermId, Terms, read as form};
-use groundling::study::{DrawError, Paint, StudyTask, TASKS, draw, read_tasks};
+use groundling::study::{DrawError, Drawing, Paint, StudyTask, TASKS, draw, read_tasks};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
@@ -100,6 +101,38 @@ fn pairs_are_a_function_of_task_and_seed() {
     assert_eq!(draw(&tasks, name, 3, 5).unwrap(), first, "wherever it stands in the file");
     let one = draw(&tasks, "agent-in-biggest", 1, 0).unwrap();
     assert!(!one.open.is_empty(), "the biggest room has a colour");
+}
+
+#[test]
+fn drawing_can_be_pumped() {
+    let tasks = tasks();
+    let mut drawing = Drawing::new(&tasks, "block-in-blue", 3, 2).unwrap();
+    let mut most = 0;
+    let drawn = loop {
+        let before = drawing.progress();
+        if let Some(ended) = drawing.step() {
+            break ended.unwrap();
+        }
+        assert!(drawing.progress() <= before + 1, "a step tries one world");
+        most = drawing.progress();
+    };
+    assert_eq!((most, Ok(drawn)), (3, draw(&tasks, "block-in-blue", 3, 2)));
+}
+
+#[test]
+fn no_text_makes_the_reader_of_tasks_panic() {
+    let whole: Vec<&str> = TASKS.lines().filter(|l| !l.is_empty()).collect();
+    for seed in 0..400 {
+        let mut draws = Draws::new(seed);
+        let lines = (0..12).map(|_| {
+            let line = whole[draws.below(whole.len() as u64) as usize];
+            let (from, to) = (draws.below(40) as usize, draws.below(200) as usize);
+            let kept = line.chars().skip(if from > 20 { 0 } else { from }).take(to);
+            kept.collect::<String>() + ["", " é", "(", "\t"][draws.below(4) as usize]
+        });
+        // Whatever it says to that.
+        let _ = read_tasks(&lines.collect::<Vec<_>>().join("\n"));
+    }
 }
 
 /// A task that is whole, with further lines.
