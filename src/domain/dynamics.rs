@@ -171,6 +171,21 @@ impl Dynamics {
         }
     }
 
+    /// How many doors there are.
+    #[must_use]
+    pub const fn n_doors(&self) -> usize {
+        self.doors.len()
+    }
+
+    /// The same state with another lock on the door with this index, if it can change in this world.
+    #[must_use]
+    pub fn with_lock(&self, packed: Packed, door: usize, lock: Lock) -> Packed {
+        match self.doors.get(door) {
+            Some(&DoorLock::Field { shift }) => packed.with(shift, SMALL, lock as u128),
+            _ => packed,
+        }
+    }
+
     /// Whether a place can be entered at some time: no locked door. Locks are those of `packed`.
     #[inline]
     #[must_use]

@@ -1,9 +1,9 @@
-//! A goal compiled to a test on packed states, with a lower bound on the actions that are still needed:
-//! an atom's is exact in an empty world (`distance`), a conjunction's the largest of its parts and of the moves of
-//! all its objects together, a disjunction's the smallest. Negations stand at the atoms only, where they turn the places that fulfil it.
+//! A goal compiled to a test on packed states, with bounds on the way that is left (`bound`). Negations stand at the
+//! atoms only, where they turn the places that fulfil it.
 //! An object that never moves is a cell: what is said of it and a thing is said of that thing alone.
 
-use super::distance::{Ground, Moves, Steps, Table};
+use super::bound::BoundOf;
+use super::distance::{Ground, Moves, Table};
 use super::goal::{Formula, Goal};
 use super::predicate::Relation;
 use super::thing::{Entity, Thing};
@@ -15,14 +15,12 @@ use crate::domain::{Bounds, Dynamics, Packed, State};
 pub(super) struct Compiled {
     root: Node,
     atoms: Vec<Atom>,
-    tables: Vec<(Wish, Table)>,
-    /// Moves of an object that a wish needs.
-    moves: Vec<(Wish, Moves)>,
-    steps: Steps,
+    wishes: Vec<Wish>,
+    bound: BoundOf,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Node {
+pub(super) enum Node {
     All(Vec<Node>),
     /// All of these atoms, which want something of two objects or more; the moves of different objects add up.
     Together(Vec<Node>, Vec<Load>),
@@ -33,32 +31,32 @@ enum Node {
 
 /// What a conjunction wants of one object, or of two that it wants nothing else of.
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Load {
-    /// By their indices: moves of a wish each, the largest of which counts.
-    One { object: usize, moves: Vec<usize> },
+pub(super) enum Load {
+    /// By their indices: wishes of which the one that needs most moves counts.
+    One { object: usize, wishes: Vec<usize> },
     /// An atom about two objects.
     Two(usize),
 }
 
 /// What stands in one cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Body {
+pub(super) enum Body {
     Agent,
     Object(usize),
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Atom {
-    first: Body,
+pub(super) struct Atom {
+    pub(super) first: Body,
     /// The second thing of a relation between two; of what is said of one thing, the first once more.
-    second: Body,
-    /// Its wish and table.
-    table: usize,
+    pub(super) second: Body,
+    /// Its wish, by index.
+    pub(super) wish: usize,
 }
 
 /// What an atom wants of the places of its things, whichever these are; the key of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Wish {
+pub(super) enum Wish {
     Inside {
         region: Bounds,
         robot: bool,
@@ -90,6 +88,33 @@ impl Wish {
             Self::Beside { relation, wanted, .. } => stand(relation, first, second) == wanted,
         }
     }
+
+    /// The bounds that it gives.
+    pub(super) fn table(self, dynamics: &Dynamics, ground: &Ground<'_>) -> Table {
+        let cell = |p: Place| dynamics.layout().cell(p);
+        let holds = |a: Place, b: Place| self.holds(cell(a), cell(b));
+        match self {
+            Self::Inside { robot: true, .. } | Self::Next { robot: true, .. } => {
+                ground.robot(|p| holds(p, p))
+            }
+            Self::Inside { .. } | Self::Next { .. } => {
+                ground.carry(|_, object| holds(object, object))
+            }
+            Self::Beside { robot: true, .. } => ground.carry(holds),
+            Self::Beside { robot: false, .. } => ground.two_objects(holds),
+        }
+    }
+
+    /// The moves of an object that it needs, when it is about one object alone.
+    pub(super) fn moves(self, dynamics: &Dynamics, ground: &Ground<'_>) -> Option<Moves> {
+        let cell = |p: Place| dynamics.layout().cell(p);
+        match self {
+            Self::Inside { robot: false, .. } | Self::Next { robot: false, .. } => {
+                Some(ground.moves(|p| self.holds(cell(p), cell(p))))
+            }
+            _ => None,
+        }
+    }
 }
 
 /// Whether things in two cells stand in a relation.
@@ -110,82 +135,14 @@ impl Compiled {
         let things = Thing::all(state);
         let mut compiler = Compiler { things, dynamics, atoms: Vec::new() };
         let mut root = compiler.node(goal.formula(), true);
-        let ground = Ground::new(dynamics, initial);
-        let mut compiled = Self {
-            root: constant(true),
-            atoms: Vec::new(),
-            tables: Vec::new(),
-            moves: Vec::new(),
-            steps: Steps::default(),
-        };
+        let mut wishes = Wishes::default();
+        let mut atoms = Vec::new();
         for (first, second, wish) in compiler.atoms {
-            let known = compiled.tables.iter().position(|t| t.0 == wish);
-            let table = known.unwrap_or_else(|| {
-                compiled.tables.push((wish, table(wish, dynamics, &ground)));
-                compiled.tables.len() - 1
-            });
-            compiled.atoms.push(Atom { first, second, table });
+            atoms.push(Atom { first, second, wish: index_of(&mut wishes.all, wish) });
         }
-        compiled.load(&mut root, dynamics, &ground);
-        compiled.root = root;
-        let is_carried = |t: &(Wish, Table)| matches!(t.1, Table::Fetch { .. });
-        if !compiled.moves.is_empty() || compiled.tables.iter().any(is_carried) {
-            compiled.steps = ground.steps();
-        }
-        compiled
-    }
-
-    /// Finds the conjunctions in which the moves of several objects add up.
-    fn load(&mut self, node: &mut Node, dynamics: &Dynamics, ground: &Ground<'_>) {
-        let (Node::All(parts) | Node::Any(parts)) = node else { return };
-        parts.iter_mut().for_each(|part| self.load(part, dynamics, ground));
-        let Node::All(parts) = node else { return };
-        let atoms: Vec<usize> = parts
-            .iter()
-            .filter_map(|n| if let Node::Atom(index) = n { Some(*index) } else { None })
-            .collect();
-        let mut loads: Vec<Load> = Vec::new();
-        let mut loaded: Vec<Body> = Vec::new();
-        for &index in &atoms {
-            let Atom { first, second, table } = self.atoms[index];
-            let Body::Object(object) = first else { continue };
-            if first != second {
-                continue;
-            }
-            let moves = self.moves_of(self.tables[table].0, dynamics, ground);
-            loaded.push(first);
-            let known = loads.iter_mut().find_map(|load| match load {
-                Load::One { object: o, moves } if *o == object => Some(moves),
-                _ => None,
-            });
-            match known {
-                Some(all) => all.push(moves),
-                None => loads.push(Load::One { object, moves: vec![moves] }),
-            }
-        }
-        for &index in &atoms {
-            let Atom { first, second, .. } = self.atoms[index];
-            let both = [first, second];
-            if first != second && !both.iter().any(|b| *b == Body::Agent || loaded.contains(b)) {
-                loaded.extend(both);
-                loads.push(Load::Two(index));
-            }
-        }
-        if loads.len() > 1 {
-            *node = Node::Together(std::mem::take(parts), loads);
-        }
-    }
-
-    /// The index of the moves that a wish about one object needs.
-    fn moves_of(&mut self, wish: Wish, dynamics: &Dynamics, ground: &Ground<'_>) -> usize {
-        self.moves.iter().position(|m| m.0 == wish).unwrap_or_else(|| {
-            let holds = |p: Place| {
-                let cell = dynamics.layout().cell(p);
-                wish.holds(cell, cell)
-            };
-            self.moves.push((wish, ground.moves(holds)));
-            self.moves.len() - 1
-        })
+        wishes.load(&mut root, &atoms);
+        let bound = BoundOf::new(&wishes, dynamics, initial);
+        Self { root, atoms, wishes: wishes.all, bound }
     }
 
     /// Whether no state whatever fulfils it: it asks for something of a thing that is not there.
@@ -200,7 +157,12 @@ impl Compiled {
 
     /// A lower bound on the actions still needed; `None` when no number suffices.
     pub(super) fn bound(&self, dynamics: &Dynamics, packed: Packed) -> Option<u32> {
-        self.node_bound(&self.root, dynamics, packed)
+        self.bound.least(&self.root, &self.atoms, dynamics, packed)
+    }
+
+    /// An upper bound on what a state is worth that is not terminal.
+    pub(super) fn most(&self, dynamics: &Dynamics, packed: Packed, discount: f64) -> f64 {
+        self.bound.most(&self.root, &self.atoms, dynamics, packed, discount)
     }
 
     fn node_holds(&self, node: &Node, dynamics: &Dynamics, packed: Packed) -> bool {
@@ -212,86 +174,76 @@ impl Compiled {
             Node::Atom(index) => {
                 let atom = &self.atoms[*index];
                 let cell = |body| dynamics.layout().cell(place(body, dynamics, packed));
-                self.tables[atom.table].0.holds(cell(atom.first), cell(atom.second))
+                self.wishes[atom.wish].holds(cell(atom.first), cell(atom.second))
             }
         }
     }
+}
 
-    fn node_bound(&self, node: &Node, dynamics: &Dynamics, packed: Packed) -> Option<u32> {
-        match node {
-            Node::All(all) => self.largest(all, dynamics, packed),
-            Node::Together(all, loads) => {
-                let largest = self.largest(all, dynamics, packed)?;
-                Some(self.together(loads, dynamics, packed)?.max(largest))
+/// What atoms wish, each once.
+#[derive(Debug, Default)]
+pub(super) struct Wishes {
+    pub(super) all: Vec<Wish>,
+    /// Whether some conjunction wants something of several objects.
+    pub(super) are_together: bool,
+}
+
+impl Wishes {
+    /// Finds the conjunctions in which the moves of several objects add up.
+    fn load(&mut self, node: &mut Node, atoms: &[Atom]) {
+        let (Node::All(parts) | Node::Any(parts)) = node else { return };
+        parts.iter_mut().for_each(|part| self.load(part, atoms));
+        let Node::All(parts) = node else { return };
+        let indices: Vec<usize> = parts
+            .iter()
+            .filter_map(|n| if let Node::Atom(index) = n { Some(*index) } else { None })
+            .collect();
+        let mut loads: Vec<Load> = Vec::new();
+        let mut loaded: Vec<Body> = Vec::new();
+        for &index in &indices {
+            let Atom { first, second, wish } = atoms[index];
+            let Body::Object(object) = first else { continue };
+            if first != second {
+                continue;
             }
-            Node::Any(any) => any.iter().filter_map(|n| self.node_bound(n, dynamics, packed)).min(),
-            Node::Atom(index) => {
-                let atom = &self.atoms[*index];
-                let at = |body| place(body, dynamics, packed);
-                let robot = (dynamics.agent(packed), dynamics.heading(packed));
-                let things = (at(atom.first), at(atom.second));
-                self.tables[atom.table].1.bound(&self.steps, robot, things)
-            }
-        }
-    }
-
-    fn largest(&self, all: &[Node], dynamics: &Dynamics, packed: Packed) -> Option<u32> {
-        all.iter().try_fold(0, |most, n| self.node_bound(n, dynamics, packed).map(|b| b.max(most)))
-    }
-
-    /// The moves of all loads, of which an action makes at most one, and the way to the first of them. To begin with
-    /// a load that is where it should be costs a move away from there and one back: so one action never takes more
-    /// than one from the sum.
-    fn together(&self, loads: &[Load], dynamics: &Dynamics, packed: Packed) -> Option<u32> {
-        let robot = dynamics.agent(packed);
-        let (mut sum, mut walk) = (0, u32::MAX);
-        for load in loads {
-            let (rest, way) = match load {
-                Load::One { object, moves } => {
-                    let at = dynamics.object(packed, *object);
-                    let rest = moves.iter().try_fold(0, |most, &m| {
-                        self.moves[m].1.from(at).map(|rest| rest.max(most))
-                    })?;
-                    (rest, self.steps.between(robot, at))
-                }
-                Load::Two(index) => {
-                    let atom = &self.atoms[*index];
-                    let (a, b) =
-                        (place(atom.first, dynamics, packed), place(atom.second, dynamics, packed));
-                    let ways = [self.steps.between(robot, a), self.steps.between(robot, b)];
-                    let rest = self.tables[atom.table].1.moves(a, b)?;
-                    (rest, ways.into_iter().flatten().min())
-                }
-            };
-            sum += rest;
-            match way {
-                Some(way) => walk = walk.min(if rest > 0 { way } else { way + 2 }),
-                None if rest > 0 => return None,
-                None => {}
+            loaded.push(first);
+            let known = loads.iter_mut().find_map(|load| match load {
+                Load::One { object: o, wishes } if *o == object => Some(wishes),
+                _ => None,
+            });
+            match known {
+                Some(all) => all.push(wish),
+                None => loads.push(Load::One { object, wishes: vec![wish] }),
             }
         }
-        Some(if sum == 0 { 0 } else { sum + walk.saturating_sub(1) })
+        for &index in &indices {
+            let Atom { first, second, .. } = atoms[index];
+            let both = [first, second];
+            if first != second && !both.iter().any(|b| *b == Body::Agent || loaded.contains(b)) {
+                loaded.extend(both);
+                loads.push(Load::Two(index));
+            }
+        }
+        if loads.len() > 1 {
+            self.are_together = true;
+            *node = Node::Together(std::mem::take(parts), loads);
+        }
     }
+}
+
+/// The index of a wish among others, to which it is added if it is not there.
+fn index_of(wishes: &mut Vec<Wish>, wish: Wish) -> usize {
+    wishes.iter().position(|known| *known == wish).unwrap_or_else(|| {
+        wishes.push(wish);
+        wishes.len() - 1
+    })
 }
 
 #[inline]
-fn place(body: Body, dynamics: &Dynamics, packed: Packed) -> Place {
+pub(super) fn place(body: Body, dynamics: &Dynamics, packed: Packed) -> Place {
     match body {
         Body::Agent => dynamics.agent(packed),
         Body::Object(index) => dynamics.object(packed, index),
-    }
-}
-
-fn table(wish: Wish, dynamics: &Dynamics, ground: &Ground<'_>) -> Table {
-    let cell = |p: Place| dynamics.layout().cell(p);
-    let holds = |a: Place, b: Place| wish.holds(cell(a), cell(b));
-    match wish {
-        Wish::Inside { robot: true, .. } | Wish::Next { robot: true, .. } => {
-            ground.robot(|p| holds(p, p))
-        }
-        Wish::Inside { .. } | Wish::Next { .. } => ground.carry(|_, object| holds(object, object)),
-        Wish::Beside { robot: true, .. } => ground.carry(holds),
-        Wish::Beside { robot: false, .. } => ground.two_objects(holds),
     }
 }
 

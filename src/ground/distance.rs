@@ -62,6 +62,15 @@ impl Table {
         }
     }
 
+    /// How many entries it has.
+    pub(super) const fn len(&self) -> usize {
+        match self {
+            Self::Robot { rest, .. } | Self::Carry { rest, .. } => rest.len(),
+            Self::Fetch { moves, .. } => moves.len(),
+            Self::Unknown => 0,
+        }
+    }
+
     /// The moves that two objects need at these places, 0 when that is not known; `None` for never.
     #[inline]
     pub(super) fn moves(&self, first: Place, second: Place) -> Option<u32> {

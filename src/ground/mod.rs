@@ -7,6 +7,7 @@ pub mod denote;
 pub mod goal;
 mod landmarks;
 mod distance;
+mod bound;
 mod compile;
 pub mod task;
 pub mod explain;

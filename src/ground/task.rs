@@ -120,6 +120,10 @@ impl Mdp for Task {
     fn heuristic(&self, state: Packed) -> Option<u32> {
         self.goal.bound(&self.dynamics, state)
     }
+
+    fn most(&self, state: Packed, discount: f64) -> f64 {
+        self.goal.most(&self.dynamics, state, discount)
+    }
 }
 
 /// A task in which every state is told from every other; see [`Task::world`].
@@ -148,5 +152,9 @@ impl Mdp for World<'_> {
 
     fn heuristic(&self, state: Packed) -> Option<u32> {
         self.0.heuristic(state)
+    }
+
+    fn most(&self, state: Packed, discount: f64) -> f64 {
+        self.0.most(state, discount)
     }
 }

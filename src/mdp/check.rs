@@ -2,6 +2,10 @@
 //! first, and holds every distribution and every bound against the interface's promises.
 
 use super::problem::Mdp;
+use super::simulate::sample;
+use super::solver::DISCOUNT;
+use rand::SeedableRng;
+use rand_pcg::Pcg64Mcg;
 use std::collections::BTreeSet;
 
 /// How far a sum of probabilities may be from one.
@@ -23,6 +27,14 @@ pub enum Fault<S> {
     Terminal { state: S, bound: Option<u32> },
     #[error("the bound falls from {from:?} to {to:?} in one step")]
     Bound { state: S, from: Option<u32>, to: Option<u32> },
+    #[error(
+        "a state is said to be worth {most} at most, but an action leads to what is worth {next}"
+    )]
+    Most { state: S, most: f64, next: f64 },
+    #[error(
+        "draws do not follow the distribution: chi-square is {statistic}, and at most {limit} by chance"
+    )]
+    Draws { state: S, statistic: f64, limit: f64 },
 }
 
 /// Checks every state within reach, up to `limit` of them, and returns how many it saw. Terminal states
@@ -56,8 +68,14 @@ pub fn check<P: Mdp>(
             if out != again {
                 return Err(Fault::Unsteady { state });
             }
-            let mut sum = 0.0;
+            let (mut sum, mut worth) = (0.0, 0.0);
             for &(successor, probability) in &out {
+                worth += probability
+                    * if problem.is_terminal(successor) {
+                        1.0
+                    } else {
+                        DISCOUNT * problem.most(successor, DISCOUNT)
+                    };
                 if !(probability > 0.0 && probability <= 1.0) {
                     return Err(Fault::Probability { state, probability });
                 }
@@ -76,9 +94,81 @@ pub fn check<P: Mdp>(
             if (sum - 1.0).abs() > TOLERANCE {
                 return Err(Fault::Sum { state, sum });
             }
+            let most = problem.most(state, DISCOUNT);
+            if worth > most + TOLERANCE {
+                return Err(Fault::Most { state, most, next: worth });
+            }
         }
     }
     Ok(order.len())
+}
+
+/// Draws `n` times from every distribution of more than one outcome within reach, up to `limit` states, and holds
+/// the counts against the distribution by Pearson's chi-square (1900). Returns how many distributions it saw.
+///
+/// # Errors
+/// The first whose counts chance explains less than once in three million (Wilson and Hilferty's limit, 1931).
+pub fn check_draws<P: Mdp>(
+    problem: &P,
+    limit: usize,
+    n: u32,
+    seed: u64,
+) -> Result<usize, Fault<P::State>> {
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let mut seen = BTreeSet::from([problem.initial()]);
+    let mut order = vec![problem.initial()];
+    let (mut next, mut distributions) = (0, 0);
+    let (mut out, mut buffer) = (Vec::new(), Vec::new());
+    while let Some(&state) = order.get(next) {
+        next += 1;
+        if problem.is_terminal(state) {
+            continue;
+        }
+        for &action in problem.actions() {
+            out.clear();
+            problem.successors(state, action, &mut out);
+            for &(successor, _) in &out {
+                if order.len() < limit && seen.insert(successor) {
+                    order.push(successor);
+                }
+            }
+            if out.len() < 2 {
+                continue;
+            }
+            distributions += 1;
+            let mut counts = vec![0_u32; out.len()];
+            for _ in 0..n {
+                let drawn = sample(problem, state, action, &mut buffer, &mut rng);
+                match out.iter().position(|o| o.0 == drawn) {
+                    Some(at) => counts[at] += 1,
+                    None => return Err(Fault::Illegal { state, successor: drawn }),
+                }
+            }
+            let statistic: f64 = out
+                .iter()
+                .zip(&counts)
+                .map(|(&(_, probability), &count)| {
+                    let expected = probability * f64::from(n);
+                    let off = f64::from(count) - expected;
+                    off * off / expected
+                })
+                .sum();
+            let limit = chi_square_limit(out.len() - 1);
+            if statistic > limit {
+                return Err(Fault::Draws { state, statistic, limit });
+            }
+        }
+    }
+    Ok(distributions)
+}
+
+/// What chi-square with so many degrees of freedom exceeds once in three million.
+fn chi_square_limit(freedom: usize) -> f64 {
+    const DEVIATIONS: f64 = 5.0;
+    let k = u32::try_from(freedom).map_or(f64::MAX, f64::from);
+    let part = 2.0 / (9.0 * k);
+    let root = 1.0 - part + DEVIATIONS * part.sqrt();
+    k * root * root * root
 }
 
 /// Whether a bound sinks by at most one in a step; `None` is infinite.

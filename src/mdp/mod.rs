@@ -5,10 +5,12 @@ pub mod problem;
 pub mod solver;
 pub mod start;
 pub mod simulate;
+pub mod rollout;
 pub mod check;
 
-pub use check::{Fault, check};
-pub use problem::Mdp;
+pub use check::{Fault, check, check_draws};
+pub use problem::{Mdp, power};
+pub use rollout::{RolloutReport, RolloutSettings, Rollouts, wilson};
 pub use simulate::{sample, simulate};
 pub use solver::{Budget, DISCOUNT, Outcome, Policy, Progress, Settings, Solver};
 pub use start::StartingAt;

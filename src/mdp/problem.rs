@@ -30,6 +30,25 @@ pub trait Mdp {
         let _ = state;
         Some(0)
     }
+    /// An upper bound on the discounted value of a state that is not terminal, in [0, 1]: what the heuristic says
+    /// unless the problem knows better. It never grows on average along any action, so that backups only lower it.
+    fn most(&self, state: Self::State, discount: f64) -> f64 {
+        self.heuristic(state).map_or(0.0, |n| power(discount, n.saturating_sub(1)))
+    }
+}
+
+/// `base` to the power of `n` by squaring: the same on every machine.
+#[must_use]
+pub fn power(base: f64, n: u32) -> f64 {
+    let (mut result, mut square, mut left) = (1.0, base, n);
+    while left > 0 {
+        if left & 1 == 1 {
+            result *= square;
+        }
+        square *= square;
+        left >>= 1;
+    }
+    result
 }
 
 /// A problem that is lent, or shared, is a problem.
@@ -58,6 +77,9 @@ macro_rules! is_a_problem {
             }
             fn heuristic(&self, state: Self::State) -> Option<u32> {
                 (**self).heuristic(state)
+            }
+            fn most(&self, state: Self::State, discount: f64) -> f64 {
+                (**self).most(state, discount)
             }
         }
     )*};

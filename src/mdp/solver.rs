@@ -1,7 +1,9 @@
-//! What a solver of any [`Mdp`] is and what it gives: a policy, with bounds on what it is worth. A solver is pumped
+//! What a solver of any [`Mdp`](super::Mdp) is and what it gives: a policy, with bounds on what it is worth. A solver is pumped
 //! in steps of bounded work and is itself the best policy that it knows so far.
 //! Values are discounted: V(s) = max over a of Σ p(s') · (1 if s' is terminal, else γ V(s')), so a plan of n sure
 //! actions is worth γ^(n−1); the initial state is worth 1 when it is terminal.
+
+use super::problem::power;
 
 /// The discount of a step in Williams et al.'s planner.
 pub const DISCOUNT: f64 = 0.99;
@@ -51,16 +53,7 @@ impl Settings {
     /// What reaching the goal in at least so many actions can be worth at most: γ^(n−1), and 1 for none.
     #[must_use]
     pub fn worth(&self, n_actions: u32) -> f64 {
-        let (mut result, mut power) = (1.0, self.discount);
-        let mut left = n_actions.saturating_sub(1);
-        while left > 0 {
-            if left & 1 == 1 {
-                result *= power;
-            }
-            power *= power;
-            left >>= 1;
-        }
-        result
+        power(self.discount, n_actions.saturating_sub(1))
     }
 }
 
@@ -98,7 +91,7 @@ pub struct Progress {
 pub trait Policy<S, A> {
     /// What to do in a state; `None` where the policy does not know, or nothing helps.
     fn action(&self, state: S) -> Option<A>;
-    /// What a state is worth, as far as is known.
+    /// What a state is worth, as far as is known; 0 without an action is proof that nothing helps.
     fn value(&self, state: S) -> Option<f64>;
 }
 

@@ -35,4 +35,7 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     fn heuristic(&self, state: P::State) -> Option<u32> {
         self.problem.heuristic(state)
     }
+    fn most(&self, state: P::State, discount: f64) -> f64 {
+        self.problem.most(state, discount)
+    }
 }

@@ -207,6 +207,12 @@ impl<P: Mdp> AStar<P> {
         }
     }
 
+    /// Whether a state was met.
+    fn is_met(&self, state: P::State) -> bool {
+        let key = FxBuildHasher.hash_one(state);
+        self.index.find(key, |&n| self.nodes.state[n as usize] == state).is_some()
+    }
+
     fn plan_to(&self, node: u32) -> Solution<P::State, P::Action> {
         let mut states = vec![self.nodes.state[node as usize]];
         let mut actions = Vec::new();
@@ -232,6 +238,9 @@ impl<P: Mdp> Policy<P::State, P::Action> for AStar<P> {
     fn value(&self, state: P::State) -> Option<f64> {
         if self.problem.is_terminal(state) {
             return Some(1.0);
+        }
+        if self.outcome == Some(Outcome::Unreachable) && self.most_actions == u32::MAX {
+            return self.is_met(state).then_some(0.0);
         }
         let plan = self.plan.as_ref().filter(|_| self.outcome == Some(Outcome::Solved))?;
         let at = plan.states.iter().position(|&s| s == state)?;

@@ -91,6 +91,11 @@ impl<P: Mdp> Graph<P> {
         self.bounds[id as usize]
     }
 
+    /// What a state that is not terminal is worth at most.
+    pub(super) fn most(&self, id: Id) -> f64 {
+        self.problem.most(self.state(id), self.discount)
+    }
+
     /// The number of a state that was met.
     pub(super) fn find(&self, state: P::State) -> Option<Id> {
         self.index
@@ -117,6 +122,21 @@ impl<P: Mdp> Graph<P> {
     /// Where an edge leads.
     pub(super) fn target(&self, edge: usize) -> Id {
         self.targets[edge]
+    }
+
+    /// The weight of an edge: a probability, over what staying takes.
+    pub(super) fn weight(&self, edge: usize) -> f64 {
+        self.weights[edge]
+    }
+
+    /// The sum of the weights of a row: 1, or less where staying takes a part.
+    pub(super) fn row_weight(&self, row: usize) -> f64 {
+        self.weights[self.edges(row)].iter().sum()
+    }
+
+    /// How many rows there are.
+    pub(super) const fn n_rows(&self) -> usize {
+        self.actions.len()
     }
 
     /// How many edges there are.

@@ -78,7 +78,7 @@ impl<P: Mdp> Lrtdp<P> {
             } else if self.graph.is_dead(id) {
                 (0.0, 0.0)
             } else {
-                (0.0, self.settings.discount * self.settings.worth(self.graph.bound(id)))
+                (0.0, self.settings.discount * self.graph.most(id))
             };
             self.lower.push(lower);
             self.upper.push(upper);
@@ -181,8 +181,12 @@ impl<P: Mdp> Policy<P::State, P::Action> for Lrtdp<P> {
     /// What the policy earns at least.
     fn value(&self, state: P::State) -> Option<f64> {
         let id = self.graph.find(state)?;
-        let worth = self.lower[id as usize];
-        Some(if self.graph.is_terminal(id) { worth } else { worth / self.settings.discount })
+        let (worth, most) = (self.lower[id as usize], self.upper[id as usize]);
+        if self.graph.is_terminal(id) {
+            return Some(worth);
+        }
+        // Of what was not expanded, only this is known: whether it is worth nothing.
+        (self.is_expanded[id as usize] || most <= 0.0).then(|| worth / self.settings.discount)
     }
 }
 

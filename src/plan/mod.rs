@@ -4,7 +4,11 @@ mod graph;
 pub mod astar;
 pub mod value_iteration;
 pub mod lrtdp;
+pub mod uct;
+pub mod choose;
 
 pub use astar::{AStar, Solution};
+pub use choose::{AnySolver, Auto, ENUMERABLE, SOLVERS, Why};
 pub use lrtdp::Lrtdp;
+pub use uct::Uct;
 pub use value_iteration::ValueIteration;

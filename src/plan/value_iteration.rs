@@ -212,7 +212,11 @@ impl<P: Mdp> Policy<P::State, P::Action> for ValueIteration<P> {
         if self.graph.is_terminal(id) {
             return Some(1.0);
         }
-        (self.stage == Stage::Sweep).then(|| self.worth[id as usize] / self.settings.discount)
+        // What was not expanded may be worth something.
+        let is_known =
+            self.graph.is_dead(id) || !self.is_partial || !self.graph.rows(id).is_empty();
+        let is_known = is_known && (self.stage == Stage::Sweep || self.outcome.is_some());
+        is_known.then(|| self.worth.get(id as usize).map_or(0.0, |w| w / self.settings.discount))
     }
 }
 

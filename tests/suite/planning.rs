@@ -3,6 +3,8 @@
 
 #[path = "planning/bounds.rs"]
 mod bounds;
+#[path = "planning/chance.rs"]
+mod chance;
 #[path = "planning/forms.rs"]
 mod forms;
 #[path = "planning/horizon.rs"]
@@ -15,6 +17,7 @@ use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, read};
 use groundling::mdp::{self, Mdp, Outcome, Settings, Solver};
 use groundling::plan::AStar;
+use std::cell::Cell as Counter;
 use std::collections::{BTreeSet, VecDeque};
 
 fn goal(text: &str, initial: &State) -> Goal {
@@ -231,6 +234,8 @@ fn tasks_keep_the_promises_of_a_problem() {
             let is_legal = |s| task.dynamics().unpack(s).check().is_ok();
             let seen = mdp::check(&task, 1_000, is_legal);
             assert!(seen.is_ok(), "{text} {rules:?}\n{}: {seen:?}", text::print(&state));
+            let draws = mdp::check_draws(&task, 12, 200, seed);
+            assert!(draws.is_ok(), "{text} {rules:?}\n{}: {draws:?}", text::print(&state));
             let seen = mdp::check(&task.world(), 300, is_legal);
             assert!(seen.is_ok(), "{text} {rules:?}\n{}: {seen:?}", text::print(&state));
         }
@@ -330,6 +335,31 @@ fn the_kit_finds_what_is_wrong() {
     let odd = Odd { probabilities: [0.25, 0.75], bound: 1 };
     assert!(matches!(mdp::check(&odd, 10, |s| s < 2), Err(mdp::Fault::Illegal { .. })));
     assert_eq!(AStar::new(&odd, Settings::default()).run(), Outcome::Unfit);
+    assert_eq!(mdp::check_draws(&odd, 10, 2_000, 1), Ok(3));
+    assert!(mdp::check_draws(&Fickle(Counter::new(0)), 10, 2_000, 1).is_err());
+}
+
+/// A problem that says one thing the first time and another when it is asked for a draw.
+struct Fickle(Counter<u32>);
+
+impl Mdp for Fickle {
+    type State = u8;
+    type Action = u8;
+
+    fn initial(&self) -> u8 {
+        0
+    }
+    fn actions(&self) -> &[u8] {
+        &[0]
+    }
+    fn successors(&self, _: u8, _: u8, out: &mut Vec<(u8, f64)>) {
+        self.0.set(self.0.get() + 1);
+        let first = if self.0.get() == 1 { 0.5 } else { 0.4 };
+        out.extend([(0, first), (1, 1.0 - first)]);
+    }
+    fn is_terminal(&self, state: u8) -> bool {
+        state == 1
+    }
 }
 
 #[test]

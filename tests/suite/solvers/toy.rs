@@ -3,6 +3,7 @@
 use groundling::mdp::Mdp;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use std::collections::BTreeMap;
 
 /// States 0 to n−1, of which the last few are terminal; three actions with one to three outcomes each.
 pub(crate) struct Toy {
@@ -129,4 +130,45 @@ pub(crate) fn earned(toy: &Toy, discount: f64, action: impl Fn(u32) -> Option<u8
 fn worth(toy: &Toy, values: &[f64], discount: f64, state: usize, action: usize) -> f64 {
     let arrive = |t: u32| if toy.is_terminal(t) { 1.0 } else { discount * values[t as usize] };
     toy.moves[state][action].iter().map(|&(t, p)| p * arrive(t)).sum()
+}
+
+/// What the initial state of any problem is worth, by plain sweeps over all states within reach.
+pub(crate) fn plain_value<P: Mdp>(problem: &P, discount: f64) -> f64 {
+    let mut index = BTreeMap::from([(problem.initial(), 0)]);
+    let mut states = vec![problem.initial()];
+    let mut rows: Vec<Vec<Vec<(usize, f64)>>> = Vec::new();
+    while rows.len() < states.len() {
+        let state = states[rows.len()];
+        let actions = if problem.is_terminal(state) { &[] } else { problem.actions() };
+        let row = |action: &P::Action| {
+            let mut out = Vec::new();
+            problem.successors(state, *action, &mut out);
+            let mut numbered = Vec::new();
+            for (next, probability) in out {
+                let id = *index.entry(next).or_insert_with(|| {
+                    states.push(next);
+                    states.len() - 1
+                });
+                numbered.push((id, probability));
+            }
+            numbered
+        };
+        rows.push(actions.iter().map(row).collect());
+    }
+    let is_end: Vec<bool> = states.iter().map(|&s| problem.is_terminal(s)).collect();
+    let mut values: Vec<f64> = is_end.iter().map(|&end| f64::from(u8::from(end))).collect();
+    for _ in 0..20_000 {
+        let mut change: f64 = 0.0;
+        for (s, rows) in rows.iter().enumerate().rev().filter(|(s, _)| !is_end[*s]) {
+            let arrive = |t: usize| if is_end[t] { 1.0 } else { discount * values[t] };
+            let worth = |row: &Vec<(usize, f64)>| row.iter().map(|&(t, p)| p * arrive(t)).sum();
+            let new: f64 = rows.iter().map(worth).fold(0.0, f64::max);
+            change = change.max(new - values[s]);
+            values[s] = new;
+        }
+        if change < 1e-10 {
+            break;
+        }
+    }
+    values[0]
 }

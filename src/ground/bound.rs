@@ -1,0 +1,280 @@
+//! Lower bounds on the way to a goal: an atom's is exact in an empty world (`distance`), a disjunction's the smallest
+//! of its parts, a conjunction's the largest, or what its objects add up to if that is more: an action moves one object
+//! by one cell, so moves of distinct objects add up; the robot's steps do not, but for those to the first object
+//! that must move (a cost partition: Katz and Domshlak 2010).
+//! Doors that turned out to be locked count: there are tables for every set of such doors, or for each one.
+//! Where chance plays a part, values are bounded too: see [`BoundOf::most`].
+//! Invariant: bounds are admissible and consistent; locks only make a way longer.
+
+use super::compile::{Atom, Load, Node, Wishes, place};
+use super::distance::{Ground, Moves, Steps, Table};
+use crate::domain::layout::Place;
+use crate::domain::{Dynamics, Lock, Packed};
+use crate::mdp::power;
+
+/// Most entries of all tables; above it the locks of doors count less, or not.
+const MAX_ENTRIES: usize = 6_000_000;
+/// Most doors for which there are tables for every set of them.
+const MAX_SETS: usize = 5;
+
+/// The bounds of a goal.
+#[derive(Clone, Debug)]
+pub(super) struct BoundOf {
+    /// As the doors are at the outset, then as `doors` has it.
+    tables: Vec<Tables>,
+    doors: Doors,
+}
+
+#[derive(Clone, Debug)]
+struct Tables {
+    by_wish: Vec<Table>,
+    /// By wish, the moves of its object when there is only one.
+    moves: Vec<Option<Moves>>,
+    /// Known when they are wanted.
+    steps: Steps,
+}
+
+/// Which tables there are besides the first.
+#[derive(Clone, Debug)]
+enum Doors {
+    /// For each set of these doors being locked, as a binary number.
+    Sets(Vec<usize>),
+    /// For each of these doors being locked.
+    Each(Vec<usize>),
+}
+
+impl BoundOf {
+    /// The tables of these wishes in the world as it is in `initial`.
+    pub(super) fn new(wishes: &Wishes, dynamics: &Dynamics, initial: Packed) -> Self {
+        let of = |packed: Packed| {
+            let ground = Ground::new(dynamics, packed);
+            let by_wish: Vec<Table> =
+                wishes.all.iter().map(|wish| wish.table(dynamics, &ground)).collect();
+            let two = |table: &Table| matches!(table, Table::Fetch { .. });
+            let is_walked = wishes.are_together || by_wish.iter().any(two);
+            Tables {
+                moves: wishes.all.iter().map(|wish| wish.moves(dynamics, &ground)).collect(),
+                steps: if is_walked { ground.steps() } else { Steps::default() },
+                by_wish,
+            }
+        };
+        let first = of(initial);
+        let places = dynamics.layout().len();
+        let entries = first.by_wish.iter().map(Table::len).sum::<usize>() + places * places;
+        let untried: Vec<usize> = (0..dynamics.n_doors())
+            .filter(|&door| dynamics.lock(initial, door) == Some(Lock::Unknown))
+            .collect();
+        let mut tables = vec![first];
+        let locked = |doors: &mut dyn Iterator<Item = usize>| {
+            doors.fold(initial, |packed, door| dynamics.with_lock(packed, door, Lock::Locked))
+        };
+        let n = untried.len();
+        if n <= MAX_SETS && entries << n <= MAX_ENTRIES {
+            for set in 1..1_usize << n {
+                let doors = untried.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
+                tables.push(of(locked(&mut doors.map(|(_, &door)| door))));
+            }
+            return Self { tables, doors: Doors::Sets(untried) };
+        }
+        let few: Vec<usize> =
+            untried.into_iter().take((MAX_ENTRIES / entries.max(1)).saturating_sub(1)).collect();
+        for &door in &few {
+            tables.push(of(locked(&mut std::iter::once(door))));
+        }
+        Self { tables, doors: Doors::Each(few) }
+    }
+
+    /// A lower bound on the actions from a state to the goal at `root`; `None` when no number suffices.
+    pub(super) fn least(
+        &self,
+        root: &Node,
+        atoms: &[Atom],
+        dynamics: &Dynamics,
+        packed: Packed,
+    ) -> Option<u32> {
+        let by = |tables| At { tables, atoms, dynamics, packed }.node(root);
+        match &self.doors {
+            Doors::Sets(doors) => {
+                let locked =
+                    |(_, door): &(usize, &usize)| is(dynamics, packed, **door, Lock::Locked);
+                let locked = doors.iter().enumerate().filter(locked);
+                by(&self.tables[locked.fold(0, |set, (i, _)| set | 1 << i)])
+            }
+            Doors::Each(doors) => {
+                let each = doors.iter().zip(&self.tables[1..]);
+                let locked = each.filter(|(door, _)| is(dynamics, packed, **door, Lock::Locked));
+                locked
+                    .map(|(_, tables)| tables)
+                    .chain(&self.tables[..1])
+                    .try_fold(0, |most, tables| by(tables).map(|bound| bound.max(most)))
+            }
+        }
+    }
+
+    /// An upper bound on the discounted value of a state: what a robot would earn that knew beforehand which doors will
+    /// turn out to be locked (so it is a sum over sets of doors), in a world where nothing is in the way; every action
+    /// that slips, and every move of an object that is lost, is tried until it succeeds.
+    pub(super) fn most(
+        &self,
+        root: &Node,
+        atoms: &[Atom],
+        dynamics: &Dynamics,
+        packed: Packed,
+        discount: f64,
+    ) -> f64 {
+        let chances = dynamics.rules().chances;
+        let tried = |chance: f64| (1.0 - chance) / (1.0 - discount * chance);
+        let (action, moved) = (tried(chances.slip()), tried(chances.loss()));
+        let by = |tables| {
+            let at = At { tables, atoms, dynamics, packed };
+            match (at.node(root), at.moves(root)) {
+                (Some(n), Some(moves)) => {
+                    power(discount, n.saturating_sub(1)) * power(action, n) * power(moved, moves)
+                }
+                _ => 0.0,
+            }
+        };
+        let lock = chances.lock();
+        match &self.doors {
+            Doors::Sets(doors) => {
+                let mut sum = 0.0;
+                for (set, tables) in self.tables.iter().enumerate() {
+                    let mut chance = 1.0;
+                    for (i, &door) in doors.iter().enumerate() {
+                        chance *= match (dynamics.lock(packed, door), set >> i & 1 == 1) {
+                            (Some(Lock::Unknown), true) => lock,
+                            (Some(Lock::Unknown), false) => 1.0 - lock,
+                            (found, wanted) => {
+                                f64::from(u8::from((found == Some(Lock::Locked)) == wanted))
+                            }
+                        };
+                    }
+                    if chance > 0.0 {
+                        sum += chance * by(tables);
+                    }
+                }
+                sum
+            }
+            Doors::Each(doors) => {
+                let open = by(&self.tables[0]);
+                let mut least = open;
+                for (&door, tables) in doors.iter().zip(&self.tables[1..]) {
+                    let chance = match dynamics.lock(packed, door) {
+                        Some(Lock::Unknown) => lock,
+                        Some(Lock::Locked) => 1.0,
+                        _ => continue,
+                    };
+                    least = least.min(chance * by(tables) + (1.0 - chance) * open);
+                }
+                least
+            }
+        }
+    }
+}
+
+/// Whether the door with this index is in a state of its lock.
+fn is(dynamics: &Dynamics, packed: Packed, door: usize, lock: Lock) -> bool {
+    dynamics.lock(packed, door) == Some(lock)
+}
+
+/// A state, and the tables that are right for it.
+struct At<'a> {
+    tables: &'a Tables,
+    atoms: &'a [Atom],
+    dynamics: &'a Dynamics,
+    packed: Packed,
+}
+
+impl At<'_> {
+    /// A lower bound on the actions that a part of the goal needs.
+    fn node(&self, node: &Node) -> Option<u32> {
+        match node {
+            Node::All(all) => largest(all, |n| self.node(n)),
+            Node::Together(all, loads) => {
+                let most = largest(all, |n| self.node(n))?;
+                Some(self.together(loads)?.max(most))
+            }
+            Node::Any(any) => any.iter().filter_map(|n| self.node(n)).min(),
+            Node::Atom(index) => {
+                let robot = (self.dynamics.agent(self.packed), self.dynamics.heading(self.packed));
+                let Tables { by_wish, steps, .. } = self.tables;
+                by_wish[self.atoms[*index].wish].bound(steps, robot, self.places(*index))
+            }
+        }
+    }
+
+    /// A lower bound on the moves of objects that a part of the goal needs.
+    fn moves(&self, node: &Node) -> Option<u32> {
+        match node {
+            Node::All(all) => largest(all, |n| self.moves(n)),
+            Node::Together(all, loads) => {
+                let most = largest(all, |n| self.moves(n))?;
+                let sum = loads.iter().map(|load| self.rest(load)).sum::<Option<u32>>()?;
+                Some(sum.max(most))
+            }
+            Node::Any(any) => any.iter().filter_map(|n| self.moves(n)).min(),
+            Node::Atom(index) => self.moves_of(*index),
+        }
+    }
+
+    /// A lower bound on the moves of objects that an atom needs.
+    fn moves_of(&self, index: usize) -> Option<u32> {
+        let wish = self.atoms[index].wish;
+        let (first, second) = self.places(index);
+        match &self.tables.moves[wish] {
+            Some(moves) => moves.from(first),
+            None => self.tables.by_wish[wish].moves(first, second),
+        }
+    }
+
+    /// The moves that a load needs.
+    fn rest(&self, load: &Load) -> Option<u32> {
+        match load {
+            Load::One { object, wishes } => {
+                let at = self.dynamics.object(self.packed, *object);
+                let moves = |&wish: &usize| self.tables.moves[wish].as_ref();
+                largest(wishes, |wish| moves(wish).map_or(Some(0), |moves| moves.from(at)))
+            }
+            Load::Two(index) => self.moves_of(*index),
+        }
+    }
+
+    /// The moves of all loads, of which an action makes at most one, and the way to the first of them. To begin with
+    /// a load that is where it should be costs a move away from there and one back: so one action never takes more
+    /// than one from the sum.
+    fn together(&self, loads: &[Load]) -> Option<u32> {
+        let robot = self.dynamics.agent(self.packed);
+        let (mut sum, mut walk) = (0, u32::MAX);
+        for load in loads {
+            let rest = self.rest(load)?;
+            let (first, second) = match load {
+                Load::One { object, .. } => {
+                    let at = self.dynamics.object(self.packed, *object);
+                    (at, at)
+                }
+                Load::Two(index) => self.places(*index),
+            };
+            let steps = &self.tables.steps;
+            let ways = [steps.between(robot, first), steps.between(robot, second)];
+            sum += rest;
+            match ways.into_iter().flatten().min() {
+                Some(way) => walk = walk.min(if rest > 0 { way } else { way + 2 }),
+                None if rest > 0 => return None,
+                None => {}
+            }
+        }
+        Some(if sum == 0 { 0 } else { sum + walk.saturating_sub(1) })
+    }
+
+    /// Where the things of an atom are.
+    fn places(&self, index: usize) -> (Place, Place) {
+        let atom = &self.atoms[index];
+        let at = |body| place(body, self.dynamics, self.packed);
+        (at(atom.first), at(atom.second))
+    }
+}
+
+/// The largest of numbers, 0 of none; `None` when one is.
+fn largest<T>(all: &[T], of: impl Fn(&T) -> Option<u32>) -> Option<u32> {
+    all.iter().try_fold(0, |most, one| of(one).map(|number| number.max(most)))
+}
