@@ -44,8 +44,11 @@ fn conjunctions(state: &State) -> Vec<String> {
 fn bounds_sink_by_one_at_most() {
     let (mut checked, mut reached) = (0, 0);
     for seed in 0..40 {
-        let (_, rules) = random(seed);
-        let state = generate(&Plan { side: (7, 9), objects: (4, 4) }, seed);
+        let (other, rules) = random(seed);
+        let mut state = generate(&Plan { side: (7, 9), objects: (4, 4) }, seed);
+        for (door, like) in state.doors.iter_mut().zip(other.doors.iter().cycle()) {
+            door.lock = like.lock;
+        }
         for text in conjunctions(&state) {
             let task = Task::new(&goal(&text, &state), &state, rules).unwrap();
             let mut draws = Draws::new(seed);
