@@ -11,7 +11,7 @@ use super::{describe, why};
 use crate::domain::State as WorldState;
 use crate::worker::protocol::{
     Answer, Envelope, Event, PlanText, Problem, Progress, Request, SeedLexicon, TrainReport,
-    TrainSettings, VERSION,
+    TrainSettings, VERSION, WorldRules,
 };
 use std::rc::Rc;
 
@@ -265,7 +265,11 @@ fn ask(state: &mut State, effects: &mut Vec<Effect>) {
     state.ask_notice = None;
     state.engine.retain(|r| !matches!(r, Request::Ask { .. }));
     let (command, world) = (state.command.clone(), state.world.current.clone());
-    state.engine.send(Request::Ask { command, state: world, pull: false }, true, effects);
+    state.engine.send(
+        Request::Ask { command, state: world, rules: WorldRules::default() },
+        true,
+        effects,
+    );
 }
 
 /// A new engine knows nothing: it is given the corpus and the model again.
@@ -310,8 +314,8 @@ fn heard(state: &mut State, envelope: Envelope<Event>, effects: &mut Vec<Effect>
                 state.progress = Some(progress);
             }
         }
-        // Nothing on the page shows experiments yet.
-        Event::Experimenting(_) => {}
+        // Nothing on the page shows how far these are.
+        Event::Experimenting(_) | Event::Planning(_) | Event::RollingOut(_) => {}
         end => {
             if let Some(request) = state.engine.finish(id, effects) {
                 finished(state, request, end, effects);
@@ -389,6 +393,9 @@ fn refused(state: &mut State, request: Request, message: String) {
         }
         Request::Ask { .. } => state.ask_notice = Some(message),
         Request::ShowRow { .. }
+        | Request::Plan { .. }
+        | Request::Values { .. }
+        | Request::RollOut { .. }
         | Request::Explain { .. }
         | Request::Experiment { .. }
         | Request::Ping

@@ -114,7 +114,7 @@ fn planning(reason: &str) -> Message {
         ),
         "unreachable" => message(
             "unreachable",
-            "It is understood, but the robot cannot bring it about: a wall, a locked door or a corner is in the way.",
+            "It is understood, but the robot cannot bring it about: a wall, a locked door, a corner or a thing that it was not told to move is in the way.",
             "Ask for something else, or undo or reset the world and try again.",
         ),
         "budget" => message(

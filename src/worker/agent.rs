@@ -86,8 +86,7 @@ impl Agent {
         let mut engine = self.engine.borrow_mut();
         while engine.busy() {
             if let Some((id, event)) = engine.step()
-                && (!matches!(event, Event::Progress(_) | Event::Experimenting(_))
-                    || self.may_report())
+                && (!is_progress(&event) || self.may_report())
             {
                 post(&self.scope, id, event);
             }
@@ -119,6 +118,14 @@ impl Agent {
     fn now(&self) -> f64 {
         self.scope.performance().map_or(0.0, |p| p.now())
     }
+}
+
+/// Whether an event is one of many that say how far something is.
+const fn is_progress(event: &Event) -> bool {
+    matches!(
+        event,
+        Event::Progress(_) | Event::Experimenting(_) | Event::Planning(_) | Event::RollingOut(_)
+    )
 }
 
 fn post(scope: &DedicatedWorkerGlobalScope, id: u32, body: Event) {

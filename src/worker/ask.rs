@@ -1,76 +1,82 @@
-//! A command on its way from words to a plan: parse, ground, search, each in steps.
+//! A command on its way from words to a plan: parse, ground, plan, each in steps.
 
-use super::protocol::{Answer, PlanText, Reading};
+use super::plan::{Begun, PlanError, Planned, Planning, no_plan};
+use super::protocol::{Answer, PlanProgress, Reading, WorldRules};
 use crate::ccg::{self, ChartConfig, Explanation, Model, Parse, parse};
-use crate::domain::{Rules, State};
-use crate::ground::{Goal, Task, TaskError, explain};
+use crate::domain::State;
+use crate::ground::{Goal, explain};
 use crate::logic::{print, print_human};
-use crate::mdp::{Outcome, Settings, Solver};
-use crate::plan::AStar;
 
 /// Readings that an answer shows, unless more are tied for best.
 const MAX_READINGS: usize = 10;
-/// States that a step of the search expands.
-const EXPANSIONS_A_STEP: usize = 2_000;
-/// What the page's planner may spend: a few hundred megabytes at most.
-const BUDGET: (u64, usize) = (2_000_000, 2_000_000);
 
 /// A command being answered.
 pub(super) struct Asking {
     command: String,
     state: State,
-    pull: bool,
+    rules: WorldRules,
     stage: Stage,
 }
 
 enum Stage {
     Words,
-    Search(Box<(Answer, AStar<Task>)>),
+    Plan(Box<Answer>, Box<Planning>),
+    Over,
+}
+
+/// What a step of answering comes to.
+pub(super) enum Asked {
+    /// It is still parsing or planning; how far the planner is.
+    Working(Option<PlanProgress>),
+    /// The answer, and the policy behind its plan.
+    Answered(Box<Answer>, Option<Planned>),
+    /// This world cannot be planned in.
+    Failed(PlanError),
 }
 
 impl Asking {
-    pub(super) fn new(command: String, state: State, pull: bool) -> Self {
-        Asking { command, state, pull, stage: Stage::Words }
+    pub(super) fn new(command: String, state: State, rules: WorldRules) -> Self {
+        Asking { command, state, rules, stage: Stage::Words }
     }
 
-    /// Goes on; the answer when it is there, or why this world cannot be planned in.
-    pub(super) fn step(&mut self, model: &mut Model) -> Option<Result<Answer, TaskError>> {
-        match &mut self.stage {
-            Stage::Words => {
-                let parse = parse(model, &self.command, ChartConfig::of(model));
-                let mut answer = self.answer(model, &parse);
-                let Some(best) = parse.answer() else { return Some(Ok(answer)) };
-                let goal = match Goal::new(&model.grammar.terms, best.form, &self.state) {
-                    Ok(goal) => goal,
-                    Err(_) => {
-                        answer.plan = Some(no_plan(&self.state, "bad_goal", 0));
-                        return Some(Ok(answer));
-                    }
-                };
-                let task = match Task::new(
-                    &goal,
-                    &self.state,
-                    Rules { pull: self.pull, ..Rules::default() },
-                ) {
-                    Ok(task) => task,
-                    Err(error) => return Some(Err(error)),
-                };
-                if task.is_impossible() {
-                    let is_lost = !goal.failures().is_empty();
-                    let reason = if is_lost { "no_referent" } else { "unreachable" };
-                    answer.plan = Some(no_plan(&self.state, reason, 0));
-                    return Some(Ok(answer));
+    /// Goes on.
+    pub(super) fn step(&mut self, model: &mut Model) -> Asked {
+        match std::mem::replace(&mut self.stage, Stage::Over) {
+            Stage::Words => self.read(model),
+            Stage::Plan(mut answer, mut planning) => match planning.step() {
+                Some(plan) => {
+                    answer.plan = Some(plan);
+                    Asked::Answered(answer, Some(planning.into_planned()))
                 }
-                let settings = Settings::default().with_budget(BUDGET.0, BUDGET.1);
-                self.stage = Stage::Search(Box::new((answer, AStar::new(task, settings))));
-                None
+                None => {
+                    let news = planning.news();
+                    self.stage = Stage::Plan(answer, planning);
+                    Asked::Working(news)
+                }
+            },
+            Stage::Over => Asked::Working(None),
+        }
+    }
+
+    /// Parses, and begins to plan for the best reading.
+    fn read(&mut self, model: &mut Model) -> Asked {
+        let parse = parse(model, &self.command, ChartConfig::of(model));
+        let mut answer = Box::new(self.answer(model, &parse));
+        let Some(best) = parse.answer() else { return Asked::Answered(answer, None) };
+        let Ok(goal) = Goal::new(&model.grammar.terms, best.form, &self.state) else {
+            answer.plan = Some(no_plan(&self.state, "bad_goal"));
+            return Asked::Answered(answer, None);
+        };
+        match Planning::begin(&goal, &self.state, &self.rules) {
+            Ok(Begun::Work(planning)) => {
+                self.stage = Stage::Plan(answer, planning);
+                Asked::Working(None)
             }
-            Stage::Search(work) => {
-                let (answer, search) = &mut **work;
-                let outcome = search.step(EXPANSIONS_A_STEP)?;
-                answer.plan = Some(plan(&self.state, search, outcome));
-                Some(Ok(answer.clone()))
+            Ok(Begun::Done(plan)) => {
+                answer.plan = Some(*plan);
+                Asked::Answered(answer, None)
             }
+            Err(error) => Asked::Failed(error),
         }
     }
 
@@ -112,28 +118,4 @@ fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
 pub(super) fn explanations(model: &mut Model, command: &str) -> Vec<Explanation> {
     let parse = parse(model, command, ChartConfig::of(model));
     shown(&parse).map(|reading| Explanation::of(model, &parse, reading)).collect()
-}
-
-fn plan(start: &State, search: &AStar<Task>, outcome: Outcome) -> PlanText {
-    let expanded = usize::try_from(search.expanded()).unwrap_or(usize::MAX);
-    match (outcome, search.plan()) {
-        (Outcome::Solved, Some(found)) => PlanText {
-            actions: found.actions.iter().map(|action| action.name().to_owned()).collect(),
-            states: search.problem().replay(&found.actions),
-            expanded,
-            reason: None,
-        },
-        (Outcome::Unreachable, _) => no_plan(start, "unreachable", expanded),
-        _ => no_plan(start, "budget", expanded),
-    }
-}
-
-/// No plan: the world stays as it is.
-fn no_plan(start: &State, reason: &str, expanded: usize) -> PlanText {
-    PlanText {
-        actions: Vec::new(),
-        states: vec![start.clone()],
-        expanded,
-        reason: Some(reason.to_owned()),
-    }
 }

@@ -1,11 +1,11 @@
 //! An experiment in the engine: its test file is read, its runs follow each other, and, for the demonstration, the
 //! command that was never heard is answered; all in bounded steps.
 
-use super::ask::Asking;
+use super::ask::{Asked, Asking};
 use super::job::{ROWS_A_STEP, problem, progress};
 use super::protocol::{
     Confused, CorpusText, Event, Experiment, ExperimentProgress, ExperimentReport, Figures,
-    Judgement, Problem, RunPart, RunReport, TaskFigures,
+    Judgement, Problem, RunPart, RunReport, TaskFigures, WorldRules,
 };
 use crate::ccg::Model;
 use crate::corpus::{Corpus, Example, Form, Options, Rows};
@@ -92,15 +92,15 @@ impl Experimenting {
             Stage::Read { rows, test } => self.read_on(rows, test),
             Stage::Run(runs) => self.run_on(runs),
             Stage::Ask { mut asking, mut model, mut report } => match asking.step(&mut model) {
-                None => {
+                Asked::Working(_) => {
                     self.stage = Stage::Ask { asking, model, report };
                     None
                 }
-                Some(Ok(answer)) => {
-                    report.answer = Some(answer);
+                Asked::Answered(answer, _) => {
+                    report.answer = Some(*answer);
                     Some(Event::Experimented(report))
                 }
-                Some(Err(error)) => Some(Event::Refused { message: error.to_string() }),
+                Asked::Failed(error) => Some(Event::Refused { message: error.to_string() }),
             },
             Stage::Over => None,
         }
@@ -175,7 +175,8 @@ impl Experimenting {
             problems: std::mem::take(&mut self.problems),
         });
         if let Experiment::Demonstration { command, state } = &self.experiment {
-            let asking = Box::new(Asking::new(command.clone(), state.clone(), false));
+            let asking =
+                Box::new(Asking::new(command.clone(), state.clone(), WorldRules::default()));
             self.stage = Stage::Ask { asking, model, report };
             return None;
         }

@@ -1,22 +1,30 @@
 //! The engine: what it keeps (a corpus, a model) and the one job at work. A job is pumped step by step by whoever
 //! owns the engine: the page's worker, tests and benches alike; a step does a bounded amount of work.
 
-use super::ask::{Asking, explanations};
+use super::ask::{Asked, Asking, explanations};
 use super::experiment::Experimenting;
+use super::plan::{Begun, Planned, Planning};
 use super::protocol::{
-    CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Problem, Progress, Request, RowSummary,
-    SeedLexicon, TeachReport, TrainReport, TrainSettings,
+    CorpusReport, Event, Lesson, MOST_RUNS, MOST_TAUGHT, PairText, Problem, Progress, Request,
+    RowSummary, SeedLexicon, TeachReport, TrainReport, TrainSettings, WorldRules,
 };
+use super::watch::{Rolling, Valuing};
 use crate::ccg::{EntryText, Model};
 use crate::corpus::{Corpus, Example, Flaw, Form, Options, Pair, Rows};
+use crate::domain::State;
+use crate::ground::Goal;
 use crate::learn::{
     self, CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Taught, Teaching, Trainer, seed_model,
 };
+use crate::logic::{Terms, read};
 use std::collections::VecDeque;
 use std::io::Cursor;
+use std::rc::Rc;
 
 /// Rows that a step reads.
 pub(super) const ROWS_A_STEP: usize = 4;
+
+const NO_PLAN: &str = "There is no plan to go by: ask for something first.";
 
 const NO_MODEL: &str = "There is no model yet: train one, or open a model file.";
 
@@ -32,6 +40,12 @@ enum Job {
     Teach(Box<Teaching>),
     /// A command is answered.
     Ask(Box<Asking>),
+    /// A goal is planned for.
+    Plan(Box<Planning>),
+    /// The cells are valued.
+    Value(Box<Valuing>),
+    /// A policy is followed many times.
+    RollOut(Box<Rolling>),
     /// An experiment is run.
     Experiment(Box<Experimenting>),
 }
@@ -41,6 +55,7 @@ enum Job {
 pub struct Engine {
     corpus: Corpus,
     model: Option<Model>,
+    planned: Option<Rc<Planned>>,
     work: Option<(u32, Job)>,
     /// What must still be said before the work goes on: answers that take no work, and the ends of requests.
     said: VecDeque<(u32, Event)>,
@@ -64,9 +79,24 @@ impl Engine {
             Request::Train { lexicon, settings } => self.train(lexicon, &settings),
             Request::Teach { examples } => self.teach(examples),
             Request::OpenModel { text } => Job::Say(self.open_model(text)),
-            Request::Ask { command, state, pull } => match &self.model {
-                Some(_) => Job::Ask(Box::new(Asking::new(command, state, pull))),
+            Request::Ask { command, state, rules } => match &self.model {
+                Some(_) => Job::Ask(Box::new(Asking::new(command, state, rules))),
                 None => refuse(NO_MODEL),
+            },
+            Request::Plan { form, state, rules } => plan(&form, &state, &rules),
+            Request::Values { state } => match &self.planned {
+                Some(planned) => match Valuing::new(planned.clone(), &state) {
+                    Some(valuing) => Job::Value(Box::new(valuing)),
+                    None => refuse("The plan that is kept is for another world: plan again."),
+                },
+                None => refuse(NO_PLAN),
+            },
+            Request::RollOut { runs, seed } => match &self.planned {
+                Some(_) if !(1..=MOST_RUNS).contains(&runs) => {
+                    refuse(&format!("Ask for between 1 and {MOST_RUNS} runs."))
+                }
+                Some(planned) => Job::RollOut(Box::new(Rolling::new(planned.clone(), runs, seed))),
+                None => refuse(NO_PLAN),
             },
             Request::Explain { command } => match &mut self.model {
                 Some(model) => Job::Say(Event::Explained(explanations(model, &command))),
@@ -134,11 +164,33 @@ impl Engine {
             }
             Job::Ask(mut asking) => match &mut self.model {
                 Some(model) => match asking.step(model) {
-                    Some(Ok(answer)) => (Some(Event::Answer(Box::new(answer))), None),
-                    Some(Err(error)) => (Some(Event::Refused { message: error.to_string() }), None),
-                    None => (None, Some(Job::Ask(asking))),
+                    Asked::Working(progress) => {
+                        (progress.map(Event::Planning), Some(Job::Ask(asking)))
+                    }
+                    Asked::Answered(answer, planned) => {
+                        self.planned = planned.map(Rc::new);
+                        (Some(Event::Answer(answer)), None)
+                    }
+                    Asked::Failed(error) => {
+                        (Some(Event::Refused { message: error.to_string() }), None)
+                    }
                 },
                 None => (Some(Event::Cancelled), None),
+            },
+            Job::Plan(mut planning) => match planning.step() {
+                Some(plan) => {
+                    self.planned = Some(Rc::new(planning.into_planned()));
+                    (Some(Event::Planned(Box::new(plan))), None)
+                }
+                None => (planning.news().map(Event::Planning), Some(Job::Plan(planning))),
+            },
+            Job::Value(mut valuing) => match valuing.step() {
+                Some(map) => (Some(Event::Values(map)), None),
+                None => (None, Some(Job::Value(valuing))),
+            },
+            Job::RollOut(mut rolling) => match rolling.step() {
+                Some((runs, true)) => (Some(Event::RolledOut(runs)), None),
+                said => (said.map(|s| Event::RollingOut(s.0)), Some(Job::RollOut(rolling))),
             },
             Job::Experiment(mut work) => {
                 let said = work.step();
@@ -288,6 +340,19 @@ fn example(lesson: Lesson) -> Example {
         worker: None,
         pairs: pairs.collect(),
         rest: Vec::new(),
+    }
+}
+
+fn plan(form: &str, state: &State, rules: &WorldRules) -> Job {
+    let mut terms = Terms::new();
+    let goal = read(&mut terms, form)
+        .map_err(|e| e.to_string())
+        .and_then(|term| Goal::new(&terms, term, state).map_err(|e| e.to_string()));
+    let begun = goal.and_then(|g| Planning::begin(&g, state, rules).map_err(|e| e.to_string()));
+    match begun {
+        Ok(Begun::Work(planning)) => Job::Plan(planning),
+        Ok(Begun::Done(plan)) => Job::Say(Event::Planned(plan)),
+        Err(message) => refuse(&message),
     }
 }
 

@@ -1,6 +1,8 @@
 //! The engine behind the page: one protocol, one job, pumped by the page's worker, tests and benches alike.
 
 pub mod protocol;
+mod plan;
+mod watch;
 mod ask;
 mod experiment;
 pub mod job;

@@ -19,7 +19,7 @@ use groundling::logic::{Terms, print, read};
 use groundling::mdp::{Settings, Solver};
 use groundling::plan::AStar;
 use groundling::worker::job::Engine;
-use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
+use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
 use std::hint::black_box;
 
 /// The six sentences of the demonstration, and the paper's settings.
@@ -67,7 +67,7 @@ fn main() {
     rows.push(Row::of("answer: parse, ground and plan", 200, None, |round| {
         let state = generate(&Plan::default(), round);
         let command = "go to the blue room".to_owned();
-        black_box(pump(&mut engine, Request::Ask { command, state, pull: false }));
+        black_box(pump(&mut engine, Request::Ask { command, state, rules: WorldRules::default() }));
     }));
     rows.push(Row::of("plan: three objects with pull", 20, Some(REFERENCE_PLAN), |_| plan()));
     rows.extend(learning::rows());

@@ -9,7 +9,7 @@ use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
 use groundling::mdp::simulate;
 use groundling::worker::job::Engine;
-use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
+use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
 use std::fmt::Write;
 
 /// What the report was when it was last looked at.
@@ -96,7 +96,8 @@ fn learned(out: &mut String) {
     .expect("a string takes any text");
     for (command, seed) in COMMANDS.into_iter().zip(0..) {
         let state: State = generate(&Plan::default(), seed);
-        let request = Request::Ask { command: command.to_owned(), state, pull: false };
+        let request =
+            Request::Ask { command: command.to_owned(), state, rules: WorldRules::default() };
         match last(&mut engine, request) {
             Some(Event::Answer(answer)) => {
                 let reading = answer.readings.first();

@@ -6,7 +6,7 @@ use groundling::ccg::{ChartConfig, EntryText, Model, parse};
 use groundling::corpus::{Example, Form, Options, read};
 use groundling::learn::{CLEANUP_LEXICON, Config, Taught, Trainer, seed_model, teach};
 use groundling::worker::Engine;
-use groundling::worker::protocol::{Event, Lesson, PairText, Request, TeachReport};
+use groundling::worker::protocol::{Event, Lesson, PairText, Request, TeachReport, WorldRules};
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
@@ -197,7 +197,7 @@ fn the_engine_teaches_the_model_it_has() {
 
     let command = "walk into the emerald room".to_owned();
     let state = emerald().pairs[0].pre.clone();
-    let ask = Request::Ask { command, state, pull: false };
+    let ask = Request::Ask { command, state, rules: WorldRules::default() };
     let answer = |engine: &mut Engine| match last(engine, ask.clone()) {
         Event::Answer(answer) => *answer,
         other => panic!("{other:?}"),

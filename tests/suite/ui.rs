@@ -121,8 +121,11 @@ fn plan(from: &World, steps: i32) -> PlanText {
     PlanText {
         actions: (0..steps).map(|_| "east".to_owned()).collect(),
         states: (0..=steps).map(state).collect(),
-        expanded: 1,
         reason: None,
+        reached: true,
+        sure: true,
+        replans: 0,
+        work: None,
     }
 }
 
@@ -316,7 +319,10 @@ fn every_failure_says_what_is_wrong_and_what_to_do() {
         reason: Some(reason.to_owned()),
         actions: Vec::new(),
         states: Vec::new(),
-        expanded: 0,
+        reached: false,
+        sure: true,
+        replans: 0,
+        work: None,
     };
     let mut no_referent = understood(Some(plan_failed("no_referent")));
     no_referent.readings[0].failures = vec!["“the red block”: there is none.".to_owned()];

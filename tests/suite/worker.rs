@@ -6,6 +6,8 @@ mod answers;
 mod experiments;
 #[path = "worker/messages.rs"]
 mod messages;
+#[path = "worker/plans.rs"]
+mod plans;
 
 use crate::learn::{SIX, six};
 use groundling::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};

@@ -6,7 +6,7 @@ use groundling::domain::{Lock, State};
 use groundling::ground::Goal;
 use groundling::logic::{Terms, read};
 use groundling::worker::Engine;
-use groundling::worker::protocol::{Answer, Event, Request};
+use groundling::worker::protocol::{Answer, Event, Request, WorldRules};
 
 /// A red room with the robot in it, a blue one, and a door between.
 fn world() -> State {
@@ -21,7 +21,7 @@ fn world() -> State {
 }
 
 fn ask(command: &str, state: &State) -> Request {
-    Request::Ask { command: command.to_owned(), state: state.clone(), pull: false }
+    Request::Ask { command: command.to_owned(), state: state.clone(), rules: WorldRules::default() }
 }
 
 #[track_caller]

@@ -7,7 +7,7 @@ use groundling::learn::experiment::{By, Event as Step, Running, cross};
 use groundling::learn::{CLEANUP_LEXICON, Config, Ties, seed_model};
 use groundling::worker::Engine;
 use groundling::worker::protocol::{
-    CorpusText, Event, Experiment, ExperimentReport, Request, RunPart,
+    CorpusText, Event, Experiment, ExperimentReport, Request, RunPart, WorldRules,
 };
 use std::sync::Arc;
 
@@ -118,7 +118,11 @@ fn the_demonstration_ends_in_the_blue_room() {
     assert!(blue.bounds.bottom < agent.y && agent.y < blue.bounds.top, "{agent:?} in {blue:?}");
     let refusal = refused(
         &mut engine,
-        Request::Ask { command: "go".to_owned(), state: State::read(WORLD).unwrap(), pull: false },
+        Request::Ask {
+            command: "go".to_owned(),
+            state: State::read(WORLD).unwrap(),
+            rules: WorldRules::default(),
+        },
     );
     assert!(refusal.starts_with("There is no model yet"), "an experiment leaves none: {refusal}");
 }
@@ -143,7 +147,11 @@ fn a_cancelled_experiment_leaves_everything_as_it_was() {
             Event::Row { .. }
         ));
         let state = State::read(WORLD).unwrap();
-        let ask = Request::Ask { command: "go to the blue room".to_owned(), state, pull: false };
+        let ask = Request::Ask {
+            command: "go to the blue room".to_owned(),
+            state,
+            rules: WorldRules::default(),
+        };
         assert!(matches!(only(pump(&mut engine, 10, ask)), Event::Answer(_)));
     }
 }

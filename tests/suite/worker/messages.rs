@@ -5,10 +5,10 @@ use groundling::ccg::{EntryText, Explanation, Part};
 use groundling::learn::PlannerCost;
 use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
-    Answer, Confused, CorpusReport, CorpusText, Envelope, Event, Experiment, ExperimentProgress,
-    ExperimentReport, Figures, Judgement, Lesson, PairText, PlanText, Problem, Progress, Reading,
-    Request, RowSummary, RunPart, RunReport, SeedLexicon, TaskFigures, TeachReport, TrainReport,
-    VERSION,
+    Answer, CellValue, Confused, CorpusReport, CorpusText, Envelope, Event, Experiment,
+    ExperimentProgress, ExperimentReport, Figures, Judgement, Lesson, PairText, PlanProgress,
+    PlanText, Problem, Progress, Reading, Request, RowSummary, RunPart, RunReport, Runs,
+    SeedLexicon, TaskFigures, TeachReport, TrainReport, VERSION, ValueMap, WorldRules,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -31,7 +31,7 @@ fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
         let body = &value["body"];
         let key = body.as_object().and_then(|object| object.keys().next()).map(String::as_str);
         assert_eq!(body.as_str().or(key), Some(kind), "{text}");
-        assert_eq!(value["groundling"], 3);
+        assert_eq!(value["groundling"], 4);
         assert_eq!(serde_json::from_str::<Envelope<T>>(&text).unwrap(), envelope, "{text}");
     }
 }
@@ -44,6 +44,8 @@ fn requests_come_back_from_json() {
     some.demonstrations = Some(2);
     let test = CorpusText { name: "test.csv".to_owned(), text: "x\n".to_owned() };
     let experiment = |experiment| Request::Experiment { experiment, settings: settings(2) };
+    let rules =
+        WorldRules { pull: true, robot: true, slip: 0.1, lock: 0.2, ..WorldRules::default() };
     let messages = [
         corpus("a \"b\".csv", "x,\"y\"\r\n\u{fffd}🤖"),
         Request::ShowRow { row: 3 },
@@ -52,7 +54,10 @@ fn requests_come_back_from_json() {
         Request::Teach { examples: vec![Lesson { command: "go".to_owned(), pairs: vec![pair] }] },
         Request::Explain { command: "go".to_owned() },
         Request::OpenModel { text: "groundling model 1\nend\n".to_owned() },
-        Request::Ask { command: "go".to_owned(), state: state.clone(), pull: true },
+        Request::Ask { command: "go".to_owned(), state: state.clone(), rules },
+        Request::Plan { form: "p:t".to_owned(), state: state.clone(), rules },
+        Request::Values { state: state.clone() },
+        Request::RollOut { runs: 100, seed: 7 },
         experiment(Experiment::Table2 { set: "raw".to_owned(), test: test.clone() }),
         experiment(Experiment::Table3 { test, budget: 1 << 40 }),
         experiment(Experiment::Demonstration { command: "go".to_owned(), state }),
@@ -60,7 +65,7 @@ fn requests_come_back_from_json() {
         Request::Cancel,
         Request::Ping,
     ];
-    come_back(&messages, 10, |request| match request {
+    come_back(&messages, 13, |request| match request {
         Request::ReadCorpus { .. } => "read_corpus",
         Request::ShowRow { .. } => "show_row",
         Request::Train { .. } => "train",
@@ -68,6 +73,9 @@ fn requests_come_back_from_json() {
         Request::Explain { .. } => "explain",
         Request::OpenModel { .. } => "open_model",
         Request::Ask { .. } => "ask",
+        Request::Plan { .. } => "plan",
+        Request::Values { .. } => "values",
+        Request::RollOut { .. } => "roll_out",
         Request::Experiment { .. } => "experiment",
         Request::Cancel => "cancel",
         Request::Ping => "ping",
@@ -85,7 +93,32 @@ fn events_come_back_from_json() {
         derivation: "go\n--".to_owned(),
         failures: vec!["none".to_owned()],
     };
-    let plan = PlanText { actions: vec!["north".to_owned()], states, expanded: 7, reason: None };
+    let work = PlanProgress {
+        solver: "lrtdp".to_owned(),
+        why: "things may go wrong".to_owned(),
+        states: 7,
+        steps: 70,
+        residual: 0.5,
+        bounds: [0.25, 0.75],
+    };
+    let plan = PlanText {
+        actions: vec!["north".to_owned()],
+        states,
+        reason: Some("budget".to_owned()),
+        reached: true,
+        sure: false,
+        replans: 2,
+        work: Some(work.clone()),
+    };
+    let cell = CellValue { x: 1, y: -2, value: 0.5, action: Some("west".to_owned()), goal: false };
+    let runs = Runs {
+        runs: 9,
+        successes: 8,
+        interval: [0.5, 0.9],
+        mean_steps: Some(4.5),
+        mean_return: [0.75, 0.125],
+        replans: 1,
+    };
     let answer = Answer {
         command: "Go".to_owned(),
         words: vec!["go".to_owned()],
@@ -93,7 +126,7 @@ fn events_come_back_from_json() {
         skipped: vec![],
         unknown: vec!["xyzzy".to_owned()],
         reason: Some("tie".to_owned()),
-        plan: Some(plan),
+        plan: Some(plan.clone()),
     };
     let without = Answer { readings: vec![], reason: None, plan: None, ..answer.clone() };
     let row = RowSummary { command: "go".to_owned(), task: Some("room".to_owned()), pairs: 3 };
@@ -174,10 +207,15 @@ fn events_come_back_from_json() {
         Event::Explained(vec![Explanation { score: 0.1, parts: vec![part], entries: vec![entry] }]),
         Event::Answer(Box::new(answer)),
         Event::Answer(Box::new(without)),
+        Event::Planning(work),
+        Event::Planned(Box::new(plan)),
+        Event::Values(ValueMap { cells: vec![cell] }),
+        Event::RollingOut(runs),
+        Event::RolledOut(runs),
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
     ];
-    come_back(&messages, 14, |event| match event {
+    come_back(&messages, 19, |event| match event {
         Event::Ready => "ready",
         Event::Pong => "pong",
         Event::Crashed { .. } => "crashed",
@@ -190,6 +228,11 @@ fn events_come_back_from_json() {
         Event::Taught(_) => "taught",
         Event::Explained(_) => "explained",
         Event::Answer(_) => "answer",
+        Event::Planning(_) => "planning",
+        Event::Planned(_) => "planned",
+        Event::Values(_) => "values",
+        Event::RollingOut(_) => "rolling_out",
+        Event::RolledOut(_) => "rolled_out",
         Event::Refused { .. } => "refused",
         Event::Cancelled => "cancelled",
     });

@@ -1,87 +1,11 @@
-//! What page and engine say to each other. Every message is one JSON text in an [`Envelope`] that carries
-//! the protocol's version; no id of an arena crosses (invariant 6), only text and plain data. A body is its
-//! kind's name, or `{kind: content}`: a tag inside the content would cost both programs a tenth of their size.
+//! What is said of corpora, models, training, teaching and experiments.
 
-use crate::ccg::{EntryText, Explanation};
+use super::planning::Answer;
+use crate::ccg::EntryText;
 use crate::domain::State;
 use crate::learn::PlannerCost;
 use crate::learn::experiment::By;
 use serde::{Deserialize, Serialize};
-
-/// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 3;
-
-/// One message: a request and every event that answers it carry the same `id`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Envelope<T> {
-    /// The protocol's version, [`VERSION`].
-    pub groundling: u32,
-    /// Which request this is, or answers; chosen by the page, 0 for what nobody asked for.
-    pub id: u32,
-    /// The message itself.
-    pub body: T,
-}
-
-/// What the page asks of the engine. A request other than `Cancel` and `Ping` replaces the one at work.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Request {
-    /// Reads a corpus file and keeps it, if it has a good row → [`Event::Corpus`].
-    ReadCorpus {
-        /// The file's name, for messages; its ending chooses the form (`.jsonl`, otherwise CSV).
-        name: String,
-        /// The file's text.
-        text: String,
-    },
-    /// The states of one row of the corpus that is kept → [`Event::Row`].
-    ShowRow {
-        /// Index into [`CorpusReport::rows`].
-        row: usize,
-    },
-    /// Trains on the corpus that is kept → [`Event::Progress`] after every example, then [`Event::Trained`].
-    Train {
-        /// What is known beforehand.
-        lexicon: SeedLexicon,
-        /// What differs from the paper's settings.
-        settings: TrainSettings,
-    },
-    /// Teaches the model a few examples besides, of which each has a demonstration → [`Event::Taught`].
-    Teach {
-        /// The examples, at most [`MOST_TAUGHT`].
-        examples: Vec<Lesson>,
-    },
-    /// Opens a model file → [`Event::Trained`].
-    OpenModel {
-        /// The model file's text.
-        text: String,
-    },
-    /// Parses, grounds and plans a command → [`Event::Answer`].
-    Ask {
-        /// The command as typed.
-        command: String,
-        /// The state of the world it is said in.
-        state: State,
-        /// Whether the robot may pull.
-        pull: bool,
-    },
-    /// Says what the scores of a command's readings are made of → [`Event::Explained`].
-    Explain {
-        /// The command as typed.
-        command: String,
-    },
-    /// Runs an experiment on the corpus that is kept → [`Event::Experimenting`] after every example, then
-    /// [`Event::Experimented`]. Corpus and model stay as they are.
-    Experiment {
-        /// Which.
-        experiment: Experiment,
-        /// What differs from the paper's settings in every run.
-        settings: TrainSettings,
-    },
-    /// Stops what is at work → [`Event::Cancelled`] for that request's id.
-    Cancel,
-    /// Asks whether the engine still answers → [`Event::Pong`]; replaces nothing.
-    Ping,
-}
 
 /// The most examples that a model is taught at once.
 pub const MOST_TAUGHT: usize = 100;
@@ -161,51 +85,6 @@ pub struct CorpusText {
     pub name: String,
     /// Its text.
     pub text: String,
-}
-
-/// What the engine says to the page.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Event {
-    /// The engine is up.
-    Ready,
-    /// The engine still answers.
-    Pong,
-    /// The engine has met an error in the program and can do nothing more.
-    Crashed {
-        /// The panic's message and place.
-        message: String,
-    },
-    /// A corpus was read.
-    Corpus(CorpusReport),
-    /// One row's states.
-    Row {
-        /// Index into [`CorpusReport::rows`].
-        row: usize,
-        /// Its demonstrations.
-        pairs: Vec<PairText>,
-    },
-    /// Training has seen one more example.
-    Progress(Progress),
-    /// There is a model.
-    Trained(TrainReport),
-    /// The model was taught.
-    Taught(Box<TeachReport>),
-    /// A command was answered.
-    Answer(Box<Answer>),
-    /// The readings that an answer shows, in its order.
-    Explained(Vec<Explanation>),
-    /// An experiment has gone on by one example.
-    Experimenting(ExperimentProgress),
-    /// An experiment is over.
-    Experimented(Box<ExperimentReport>),
-    /// The request failed; what was loaded before is as it was.
-    Refused {
-        /// What is wrong, where, and what to do: for a person.
-        message: String,
-    },
-    /// The request was cancelled; what was loaded before is as it was.
-    Cancelled,
 }
 
 /// What came of reading a corpus.
@@ -295,53 +174,6 @@ pub struct TeachReport {
     pub added: Vec<EntryText>,
     /// For each example whether it is now answered as its demonstrations show.
     pub understood: Vec<bool>,
-}
-
-/// What a command was taken to mean and what came of it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Answer {
-    /// The command as typed.
-    pub command: String,
-    /// Its words as the parser sees them.
-    pub words: Vec<String>,
-    /// The distinct readings, best first; those tied for best are all there.
-    pub readings: Vec<Reading>,
-    /// Words the parser had to skip, if the skipping parse answered.
-    pub skipped: Vec<String>,
-    /// Words of the command that the lexicon has never seen.
-    pub unknown: Vec<String>,
-    /// Why there is no single reading, in the command line's words (`empty`, `too_long`, `unknown_words`, `no_parse`, `tie`, `budget`).
-    pub reason: Option<String>,
-    /// The plan for the best reading, or why there is none.
-    pub plan: Option<PlanText>,
-}
-
-/// One reading of a command.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Reading {
-    /// The goal as an s-expression.
-    pub form: String,
-    /// The goal as a person writes logic.
-    pub human: String,
-    /// Its score.
-    pub score: f64,
-    /// Its derivation as text.
-    pub derivation: String,
-    /// Phrases that do not refer in the state given, in words; empty when all do.
-    pub failures: Vec<String>,
-}
-
-/// A plan as the page plays it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PlanText {
-    /// The actions, in order: `north south east west pull`.
-    pub actions: Vec<String>,
-    /// The states, one more than actions.
-    pub states: Vec<State>,
-    /// States that the planner expanded.
-    pub expanded: usize,
-    /// Why there is no plan, in the command line's words (`no_referent`, `unreachable`, `budget`).
-    pub reason: Option<String>,
 }
 
 /// How far an experiment is.

@@ -1,0 +1,164 @@
+//! The messages themselves: requests of the page, events of the engine, and the envelope around both.
+
+use super::learning::{
+    CorpusReport, Experiment, ExperimentProgress, ExperimentReport, Lesson, PairText, Progress,
+    SeedLexicon, TeachReport, TrainReport, TrainSettings,
+};
+use super::planning::{Answer, PlanProgress, PlanText, Runs, ValueMap, WorldRules};
+use crate::ccg::Explanation;
+use crate::domain::State;
+use serde::{Deserialize, Serialize};
+
+/// The protocol's version; both sides refuse any other.
+pub const VERSION: u32 = 4;
+
+/// One message: a request and every event that answers it carry the same `id`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Envelope<T> {
+    /// The protocol's version, [`VERSION`].
+    pub groundling: u32,
+    /// Which request this is, or answers; chosen by the page, 0 for what nobody asked for.
+    pub id: u32,
+    /// The message itself.
+    pub body: T,
+}
+
+/// What the page asks of the engine. A request other than `Cancel` and `Ping` replaces the one at work.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Request {
+    /// Reads a corpus file and keeps it, if it has a good row → [`Event::Corpus`].
+    ReadCorpus {
+        /// The file's name, for messages; its ending chooses the form (`.jsonl`, otherwise CSV).
+        name: String,
+        /// The file's text.
+        text: String,
+    },
+    /// The states of one row of the corpus that is kept → [`Event::Row`].
+    ShowRow {
+        /// Index into [`CorpusReport::rows`].
+        row: usize,
+    },
+    /// Trains on the corpus that is kept → [`Event::Progress`] after every example, then [`Event::Trained`].
+    Train {
+        /// What is known beforehand.
+        lexicon: SeedLexicon,
+        /// What differs from the paper's settings.
+        settings: TrainSettings,
+    },
+    /// Teaches the model a few examples besides, of which each has a demonstration → [`Event::Taught`].
+    Teach {
+        /// The examples, at most [`MOST_TAUGHT`](super::MOST_TAUGHT).
+        examples: Vec<Lesson>,
+    },
+    /// Opens a model file → [`Event::Trained`].
+    OpenModel {
+        /// The model file's text.
+        text: String,
+    },
+    /// Parses, grounds and plans a command → [`Event::Planning`] now and then, then [`Event::Answer`]. The policy is
+    /// kept.
+    Ask {
+        /// The command as typed.
+        command: String,
+        /// The state of the world it is said in.
+        state: State,
+        /// What can happen in that world.
+        rules: WorldRules,
+    },
+    /// Plans for a goal, such as another reading's → [`Event::Planning`] now and then, then [`Event::Planned`]. The
+    /// policy is kept.
+    Plan {
+        /// The goal as an s-expression.
+        form: String,
+        /// The state of the world.
+        state: State,
+        /// What can happen in that world.
+        rules: WorldRules,
+    },
+    /// What each cell is worth to the robot under the policy that is kept, with all else as it is in a state →
+    /// [`Event::Values`].
+    Values {
+        /// A state of the world that the policy is for.
+        state: State,
+    },
+    /// Follows the policy that is kept many times → [`Event::RollingOut`] after each, then [`Event::RolledOut`].
+    RollOut {
+        /// How often, at most [`MOST_RUNS`](super::MOST_RUNS).
+        runs: u32,
+        /// The seed of what happens.
+        seed: u32,
+    },
+    /// Says what the scores of a command's readings are made of → [`Event::Explained`].
+    Explain {
+        /// The command as typed.
+        command: String,
+    },
+    /// Runs an experiment on the corpus that is kept → [`Event::Experimenting`] after every example, then
+    /// [`Event::Experimented`]. Corpus and model stay as they are.
+    Experiment {
+        /// Which.
+        experiment: Experiment,
+        /// What differs from the paper's settings in every run.
+        settings: TrainSettings,
+    },
+    /// Stops what is at work → [`Event::Cancelled`] for that request's id.
+    Cancel,
+    /// Asks whether the engine still answers → [`Event::Pong`]; replaces nothing.
+    Ping,
+}
+
+/// What the engine says to the page.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Event {
+    /// The engine is up.
+    Ready,
+    /// The engine still answers.
+    Pong,
+    /// The engine has met an error in the program and can do nothing more.
+    Crashed {
+        /// The panic's message and place.
+        message: String,
+    },
+    /// A corpus was read.
+    Corpus(CorpusReport),
+    /// One row's states.
+    Row {
+        /// Index into [`CorpusReport::rows`].
+        row: usize,
+        /// Its demonstrations.
+        pairs: Vec<PairText>,
+    },
+    /// Training has seen one more example.
+    Progress(Progress),
+    /// There is a model.
+    Trained(TrainReport),
+    /// The model was taught.
+    Taught(Box<TeachReport>),
+    /// A command was answered.
+    Answer(Box<Answer>),
+    /// A planner is at work: how far it is.
+    Planning(PlanProgress),
+    /// There is a plan, or a reason for none.
+    Planned(Box<PlanText>),
+    /// What the cells are worth.
+    Values(ValueMap),
+    /// A run has ended; what came of all so far.
+    RollingOut(Runs),
+    /// All runs have ended.
+    RolledOut(Runs),
+    /// The readings that an answer shows, in its order.
+    Explained(Vec<Explanation>),
+    /// An experiment has gone on by one example.
+    Experimenting(ExperimentProgress),
+    /// An experiment is over.
+    Experimented(Box<ExperimentReport>),
+    /// The request failed; what was loaded before is as it was.
+    Refused {
+        /// What is wrong, where, and what to do: for a person.
+        message: String,
+    },
+    /// The request was cancelled; what was loaded before is as it was.
+    Cancelled,
+}

@@ -1,0 +1,148 @@
+//! What is said of commands, their goals, and what planning makes of these.
+
+use crate::domain::State;
+use serde::{Deserialize, Serialize};
+
+/// The most runs that a policy is followed.
+pub const MOST_RUNS: u32 = 10_000;
+
+/// What can happen in a world.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WorldRules {
+    /// Whether the robot may pull.
+    pub pull: bool,
+    /// Whether it is driven by `forward turn_left turn_right`; otherwise by `north south east west`.
+    pub robot: bool,
+    /// Whether only what a command says to move may be moved.
+    pub landmarks_stay: bool,
+    /// That an action does nothing, as a probability.
+    pub slip: f64,
+    /// That a door that nobody tried turns out to be locked.
+    pub lock: f64,
+    /// That an object is left behind.
+    pub loss: f64,
+}
+
+impl Default for WorldRules {
+    /// Those of the page: landmarks stay, nothing is left to chance.
+    fn default() -> WorldRules {
+        WorldRules {
+            pull: false,
+            robot: false,
+            landmarks_stay: true,
+            slip: 0.0,
+            lock: 0.0,
+            loss: 0.0,
+        }
+    }
+}
+
+/// What a command was taken to mean and what came of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Answer {
+    /// The command as typed.
+    pub command: String,
+    /// Its words as the parser sees them.
+    pub words: Vec<String>,
+    /// The distinct readings, best first; those tied for best are all there.
+    pub readings: Vec<Reading>,
+    /// Words the parser had to skip, if the skipping parse answered.
+    pub skipped: Vec<String>,
+    /// Words of the command that the lexicon has never seen.
+    pub unknown: Vec<String>,
+    /// Why there is no single reading, in the command line's words (`empty`, `too_long`, `unknown_words`, `no_parse`, `tie`, `budget`).
+    pub reason: Option<String>,
+    /// The plan for the best reading, or why there is none.
+    pub plan: Option<PlanText>,
+}
+
+/// One reading of a command.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Reading {
+    /// The goal as an s-expression.
+    pub form: String,
+    /// The goal as a person writes logic.
+    pub human: String,
+    /// Its score.
+    pub score: f64,
+    /// Its derivation as text.
+    pub derivation: String,
+    /// Phrases that do not refer in the state given, in words; empty when all do.
+    pub failures: Vec<String>,
+}
+
+/// A plan as the page plays it: what the policy does when things go as the seed has them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlanText {
+    /// The actions, in order, by their names.
+    pub actions: Vec<String>,
+    /// The states, one more than actions.
+    pub states: Vec<State>,
+    /// Why there is no plan, or no proved one, in the command line's words (`no_referent`, `unreachable`, `budget`,
+    /// `bad_goal`).
+    pub reason: Option<String>,
+    /// Whether the last state fulfils the goal.
+    pub reached: bool,
+    /// Whether nothing was left to chance: the actions are a shortest plan then, if there is no `reason`.
+    pub sure: bool,
+    /// How often the robot thought again on the way, since the policy did not know what had happened.
+    pub replans: u32,
+    /// How the planner ended; nothing where it had nothing to do.
+    pub work: Option<PlanProgress>,
+}
+
+/// How far a planner is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PlanProgress {
+    /// The solver at work, as on the command line.
+    pub solver: String,
+    /// Why it was chosen, in words.
+    pub why: String,
+    /// States kept.
+    pub states: usize,
+    /// States of which all actions were looked at, counted each time.
+    pub steps: u64,
+    /// The largest change of a value lately; 1 at most, 0 where that means nothing.
+    pub residual: f64,
+    /// Proved bounds on what the state at the beginning is worth.
+    pub bounds: [f64; 2],
+}
+
+/// What the cells of a world are worth to the robot.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ValueMap {
+    /// The cells that the robot can stand on and the policy knows, row by row from the south-west.
+    pub cells: Vec<CellValue>,
+}
+
+/// What a cell is worth, and what to do there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CellValue {
+    /// The column.
+    pub x: i32,
+    /// The row, growing north.
+    pub y: i32,
+    /// What it is worth to stand there, in [0, 1]; whichever way the robot faces, the best.
+    pub value: f64,
+    /// What to do there; nothing where the goal holds or cannot be reached.
+    pub action: Option<String>,
+    /// Whether the goal holds there.
+    pub goal: bool,
+}
+
+/// What came of following a policy.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Runs {
+    /// Runs that ended.
+    pub runs: u32,
+    /// Those that reached the goal.
+    pub successes: u32,
+    /// The share of successes that 95 % confidence leaves open.
+    pub interval: [f64; 2],
+    /// Steps of a run that reached the goal, on average.
+    pub mean_steps: Option<f64>,
+    /// Discounted reward of a run, on average, and the half width of its 95 % interval.
+    pub mean_return: [f64; 2],
+    /// How often the robot thought again.
+    pub replans: u32,
+}

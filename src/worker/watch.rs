@@ -1,0 +1,154 @@
+//! What a policy that was found can be asked: what every cell is worth, and what comes of following it many times.
+
+use super::plan::{Planned, Problem, solver};
+use super::protocol::{CellValue, Runs, ValueMap};
+use crate::domain::layout::Place;
+use crate::domain::{Action, Direction, Packed, State};
+use crate::ground::Task;
+use crate::mdp::{
+    Mdp, Outcome, Policy, Progress, RolloutReport, RolloutSettings, Rollouts, Settings, Solver,
+};
+use crate::plan::{Auto, ENUMERABLE, ValueIteration};
+use std::rc::Rc;
+
+/// States that are worked out in a step of the job.
+const STEPS: usize = 500;
+/// Actions of runs in a step of the job.
+const ACTIONS: usize = 500;
+
+/// A value map at work. A search for a shortest plan knows little but the plan, so all states are worked out, where
+/// they are few enough; else the policy says what it knows.
+pub(super) struct Valuing {
+    planned: Rc<Planned>,
+    around: Packed,
+    all: ValueIteration<Rc<Task>>,
+}
+
+impl Valuing {
+    /// A map of the world as it is in `state`; nothing if that is a state of another world.
+    pub(super) fn new(planned: Rc<Planned>, state: &State) -> Option<Valuing> {
+        let dynamics = planned.task.dynamics();
+        let around =
+            dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)?;
+        let settings = Settings::default().with_budget(u64::MAX, ENUMERABLE);
+        let all = ValueIteration::new(planned.task.clone(), settings);
+        Some(Valuing { planned, around, all })
+    }
+
+    /// Does a bounded part; the map when it is there.
+    pub(super) fn step(&mut self) -> Option<ValueMap> {
+        let ended = self.all.step(STEPS).is_some();
+        if self.all.is_partial() {
+            return Some(self.map(&self.planned.solver));
+        }
+        ended.then(|| self.map(&self.all))
+    }
+
+    fn map(&self, policy: &impl Policy<Packed, Action>) -> ValueMap {
+        let places = self.planned.task.dynamics().layout().places();
+        ValueMap { cells: places.filter_map(|place| self.cell(place, policy)).collect() }
+    }
+
+    fn cell(&self, place: Place, policy: &impl Policy<Packed, Action>) -> Option<CellValue> {
+        let task = &self.planned.task;
+        let dynamics = task.dynamics();
+        let worth = |&heading: &Direction| {
+            let state = dynamics.quotient(dynamics.with_agent(self.around, place, heading)?);
+            let goal = task.is_terminal(state);
+            let value = match task.heuristic(state) {
+                _ if goal => 1.0,
+                None => 0.0,
+                Some(_) => policy.value(state)?,
+            };
+            Some((value, goal, policy.action(state).filter(|_| !goal && value > 0.0)))
+        };
+        let all = Direction::ALL.iter().filter_map(worth);
+        let (value, goal, action) =
+            all.reduce(|best, one| if one.0 > best.0 { one } else { best })?;
+        let (x, y) = dynamics.layout().cell(place);
+        Some(CellValue { x, y, value, action: action.map(|a| a.name().to_owned()), goal })
+    }
+}
+
+/// Runs at work.
+pub(super) struct Rolling {
+    rollouts: Rollouts<Rc<Task>, Follower, Make>,
+    said: u32,
+}
+
+/// Makes a policy for a state that none is known for.
+type Make = Box<dyn FnMut(Packed) -> Follower>;
+
+/// The policy that was found, or one that was made on the way.
+enum Follower {
+    Found(Rc<Planned>),
+    Made(Box<Auto<Problem>>),
+}
+
+impl Follower {
+    fn policy(&self) -> &Auto<Problem> {
+        match self {
+            Follower::Found(planned) => &planned.solver,
+            Follower::Made(solver) => solver,
+        }
+    }
+}
+
+impl Policy<Packed, Action> for Follower {
+    fn action(&self, state: Packed) -> Option<Action> {
+        self.policy().action(state)
+    }
+
+    fn value(&self, state: Packed) -> Option<f64> {
+        self.policy().value(state)
+    }
+}
+
+impl Solver<Packed, Action> for Follower {
+    fn name(&self) -> &'static str {
+        self.policy().name()
+    }
+
+    fn step(&mut self, n: usize) -> Option<Outcome> {
+        match self {
+            // It was solved before.
+            Follower::Found(_) => Some(Outcome::Solved),
+            Follower::Made(solver) => solver.step(n),
+        }
+    }
+
+    fn progress(&self) -> Progress {
+        self.policy().progress()
+    }
+}
+
+impl Rolling {
+    pub(super) fn new(planned: Rc<Planned>, runs: u32, seed: u32) -> Rolling {
+        let settings =
+            RolloutSettings { runs, seed: u64::from(seed), ..RolloutSettings::default() };
+        let task = planned.task.clone();
+        let make: Make = Box::new(move |state| Follower::Made(Box::new(solver(&task, state))));
+        let task = planned.task.clone();
+        Rolling { rollouts: Rollouts::new(task, settings, Follower::Found(planned), make), said: 0 }
+    }
+
+    /// Does a bounded part: what came of the runs, when one more has ended, and whether it was the last.
+    pub(super) fn step(&mut self) -> Option<(Runs, bool)> {
+        let last = self.rollouts.step(ACTIONS).is_some();
+        let report = self.rollouts.report();
+        let news = last || report.runs > self.said;
+        self.said = report.runs;
+        news.then(|| (runs(report), last))
+    }
+}
+
+fn runs(report: RolloutReport) -> Runs {
+    Runs {
+        runs: report.runs,
+        successes: report.successes,
+        interval: [report.interval.0, report.interval.1],
+        mean_steps: report.mean_steps,
+        mean_return: [report.mean_return, report.return_margin],
+        replans: report.replans,
+    }
+}
