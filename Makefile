@@ -6,7 +6,7 @@ SHELL := bash
 .ONESHELL:
 .SILENT:
 .DEFAULT_GOAL := help
-.PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora update-goldens \
+.PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora update-goldens plots \
 	rust-parts wasm-target chromium packages command-line
 
 # Where our own tools live; another folder can be given to share them between work trees.
@@ -61,6 +61,10 @@ lint: rust-parts wasm-target ## formatting and clippy, natively and for wasm32, 
 
 bench: ## CPU time of the engine's parts, beside the reference system's
 	cargo bench --bench engine
+	cargo bench --bench planning
+
+plots: ## measure planning anew and draw its figures for the guide
+	cargo bench --bench planning -- --plot www/guide/planning.svg
 
 build: $(SITE)/index.html ## build the release site into target/site, if anything it is made of has changed
 

@@ -1,7 +1,7 @@
 //! Upper confidence bounds applied to trees (UCT: Kocsis and Szepesvári 2006), any-time: what remains when nothing
 //! can be proved within the budget. A trial goes down by UCB1 over the actions of the states met before; at a new
 //! state it plays on, greedy in the problem's bounds but for some random actions; the reward is counted on the way
-//! back. States met again are the same node. Values are averages, not bounds. A step tries an action.
+//! back. States met again are the same node, and a trial leaves the tree where it comes round in a circle. Values are averages, not bounds. A step tries an action.
 //! Invariant: the same problem and seed give the same tree on every machine.
 
 use super::graph::{Graph, Id};
@@ -10,11 +10,13 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 /// Most actions of a trial.
-const DEEPEST: u32 = 400;
+const DEEPEST: u32 = 200;
 /// Weight of UCB1's confidence: small, since values of ways that differ by a few steps do.
-const CURIOSITY: f64 = 0.1;
+const CURIOSITY: f64 = 0.02;
 /// Share of random actions when a trial plays on.
-const RANDOM: f64 = 0.1;
+const RANDOM: f64 = 0.05;
+/// Bounds that lie closer are equal.
+const LEVEL: f64 = 1e-9;
 /// Visits from which on the policy believes what it saw.
 const KNOWN: u32 = 8;
 
@@ -91,6 +93,10 @@ impl<P: Mdp> Uct<P> {
                 }
                 break self.play(id);
             }
+            // Round in a circle by chance, the tree has nothing more to say.
+            if self.is_met(id) {
+                break self.play(id);
+            }
             let Some(row) = self.choose(id) else { break 0.0 };
             self.steps += 1;
             self.path.push((id, row));
@@ -118,13 +124,20 @@ impl<P: Mdp> Uct<P> {
 
     /// The row to follow: one that was never tried, the nearest to the goal first; else by UCB1.
     fn choose(&self, id: Id) -> Option<usize> {
-        let untried = self.graph.rows(id).filter(|&row| self.row_visits[row] == 0);
+        // What surely leads back is no way on.
+        let ahead = |row: &usize| {
+            self.graph.edges(*row).any(|edge| {
+                let target = self.graph.target(edge);
+                target != id && !self.is_met(target)
+            })
+        };
+        let untried = self.graph.rows(id).filter(ahead).filter(|&row| self.row_visits[row] == 0);
         if let Some(row) = untried.min_by_key(|&row| self.nearest(row)) {
             return Some(row);
         }
         let log = libm::log(f64::from(self.visits[id as usize]));
         let mut best = None;
-        for row in self.graph.rows(id) {
+        for row in self.graph.rows(id).filter(ahead) {
             let n = f64::from(self.row_visits[row]);
             let score = self.row_sums[row] / n + CURIOSITY * (log / n).sqrt();
             if best.is_none_or(|(_, most)| score > most) {
@@ -132,6 +145,11 @@ impl<P: Mdp> Uct<P> {
             }
         }
         best.map(|(row, _)| row)
+    }
+
+    /// Whether this trial has been in a state.
+    fn is_met(&self, id: Id) -> bool {
+        self.path.iter().any(|&(met, _)| met == id)
     }
 
     /// The least bound among the outcomes of a row.
@@ -174,7 +192,7 @@ impl<P: Mdp> Uct<P> {
         0.0
     }
 
-    /// The action after which the bound on values is highest, the first of equals; now and then a random one.
+    /// The action after which the bound on values is highest; now and then a random one.
     fn guess(&mut self, state: P::State) -> Option<P::Action> {
         let problem = self.graph.problem();
         let actions = problem.actions();
@@ -184,22 +202,35 @@ impl<P: Mdp> Uct<P> {
         }
         let discount = self.settings.discount;
         let mut best = None;
+        let mut n_equal = 1_u32;
         for &action in actions {
             self.buffer.clear();
             problem.successors(state, action, &mut self.buffer);
-            let mut worth = 0.0;
+            let (mut worth, mut stay) = (0.0, 0.0);
             for &(next, probability) in &self.buffer {
                 if problem.is_terminal(next) {
                     worth += probability;
-                } else if next != state {
+                } else if next == state {
+                    stay += probability;
+                } else {
                     worth += probability * discount * problem.most(next, discount);
                 }
             }
-            if best.is_none_or(|(_, most)| worth > most) {
+            // As where it is tried until it moves.
+            worth /= 1.0 - discount * stay;
+            // Among equals, each as likely: what is equal by the bounds may differ.
+            let most = best.map_or(0.0, |(_, most)| most);
+            if worth > most + LEVEL {
+                n_equal = 1;
                 best = Some((action, worth));
+            } else if worth > most - LEVEL && best.is_some() {
+                n_equal += 1;
+                if self.rng.random_range(0..n_equal) == 0 {
+                    best = Some((action, worth));
+                }
             }
         }
-        best.filter(|&(_, worth)| worth > 0.0).map(|(action, _)| action)
+        best.map(|(action, _)| action)
     }
 
     /// The row that most trials took.

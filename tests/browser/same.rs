@@ -7,7 +7,8 @@ use groundling::domain::{
 };
 use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
-use groundling::mdp::simulate;
+use groundling::mdp::{Mdp, RolloutSettings, Rollouts, Settings, Solver, StartingAt, simulate};
+use groundling::plan::{AnySolver, Auto, SOLVERS};
 use groundling::worker::job::Engine;
 use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
 use std::fmt::Write;
@@ -21,6 +22,10 @@ const TERMS: [&str; 3] = [
     "((lambda $0:<e,t> (exists:<<e,t>,t> $0)) (lambda $0:e (not:<t,t> (not:<t,t> (red:<e,t> $0)))))",
     "(or:<t*,t> (and:<t*,t> true:t false:t) (eq:<e,<e,t>> (argmax:<<e,t>,<<e,n>,e>> room:<e,t> size:<e,n>) (the:<<e,t>,e> door:<e,t>)))",
 ];
+
+/// Some object in the smallest room.
+const BRING: &str = "(exists:<<e,t>,t> (lambda $0:e (and:<t*,t> (object:<e,t> $0) \
+    (in:<e,<e,t>> $0 (argmin:<<e,t>,<<e,n>,e>> room:<e,t> size:<e,n>)))))";
 
 /// What the parser is learned from, and the commands that are then tried.
 const CORPUS: &str = include_str!("../../assets/corpus/six.csv");
@@ -46,6 +51,7 @@ fn report() -> String {
     let worlds: String = (0..200).map(|seed| generate(&Plan::default(), seed).write()).collect();
     writeln!(out, "worlds {:016x}", fnv1a(&worlds)).expect("a string takes any text");
     drawn(&mut out);
+    planned(&mut out);
     learned(&mut out);
     out
 }
@@ -77,6 +83,40 @@ fn drawn(out: &mut String) {
     }
     for (what, text) in [("built", built), ("runs", runs)] {
         writeln!(out, "{what} {:016x}", fnv1a(&text)).expect("a string takes any text");
+    }
+}
+
+/// What every solver makes of a problem, to the last bit, and what runs of its policy come to.
+fn planned(out: &mut String) {
+    let mut state = generate(&Plan { side: (8, 8), objects: (1, 1) }, 5);
+    state.doors.iter_mut().for_each(|door| door.lock = Lock::Unknown);
+    let mut terms = Terms::new();
+    let goal = read(&mut terms, BRING).expect("a term");
+    let goal = Goal::new(&terms, goal, &state).expect("a goal");
+    let chances = Chances::new(0.1, 0.3, 0.2).expect("probabilities");
+    let settings = Settings { seed: 3, ..Settings::default() }.with_budget(100_000, 100_000);
+    for name in SOLVERS.into_iter().chain(["auto"]) {
+        let chances = if name == "astar" { Chances::default() } else { chances };
+        let rules = Rules { pull: true, chances, ..Rules::default() };
+        let task = Task::new(&goal, &state, rules).expect("a world that fits");
+        let from = |start| -> Box<dyn Solver<_, _>> {
+            let problem = StartingAt::new(&task, start);
+            match AnySolver::named(name, problem, settings) {
+                Some(solver) => Box::new(solver),
+                None => Box::new(Auto::new(problem, settings)),
+            }
+        };
+        let mut solver = from(task.initial());
+        let outcome = solver.run();
+        let (value, made) = (solver.value(task.initial()), solver.progress());
+        let runs = RolloutSettings { runs: 20, seed: 4, ..RolloutSettings::default() };
+        let report = Rollouts::new(&task, runs, solver, from).run();
+        writeln!(
+            out,
+            "{name}: {outcome:?} {value:?} in {} states, {} steps, {:?}; {} of 20, {:?} earned",
+            made.states, made.steps, made.upper, report.successes, report.mean_return
+        )
+        .expect("a string takes any text");
     }
 }
 
