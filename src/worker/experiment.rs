@@ -2,7 +2,7 @@
 //! command that was never heard is answered; all in bounded steps.
 
 use super::ask::{Asked, Asking};
-use super::job::{ROWS_A_STEP, problem, progress};
+use super::job::{ROWS_A_STEP, Work, problem, progress};
 use super::protocol::{
     Confused, CorpusText, Event, Experiment, ExperimentProgress, ExperimentReport, Figures,
     Judgement, Problem, RunPart, RunReport, TaskFigures, WorldRules,
@@ -20,7 +20,7 @@ use std::sync::Arc;
 const MAX_FOLDS: u32 = 1_000;
 
 /// An experiment at work.
-pub(super) struct Experimenting {
+struct Experimenting {
     experiment: Experiment,
     train: Arc<[Example]>,
     config: Config,
@@ -47,13 +47,42 @@ struct Runs {
     all: Report,
 }
 
+/// An experiment that begins, or why it cannot.
+pub(super) fn begin(
+    experiment: Experiment,
+    corpus: &[Example],
+    config: Config,
+) -> Result<Box<dyn Work>, String> {
+    Ok(Box::new(Experimenting::new(experiment, corpus, config)?))
+}
+
+impl Work for Experimenting {
+    fn is_over(&self) -> bool {
+        matches!(self.stage, Stage::Over)
+    }
+
+    fn step(&mut self) -> Option<Event> {
+        match std::mem::replace(&mut self.stage, Stage::Over) {
+            Stage::Read { rows, test } => self.read_on(rows, test),
+            Stage::Run(runs) => self.run_on(runs),
+            Stage::Ask { mut asking, mut model, mut report } => match asking.step(&mut model) {
+                Asked::Working(_) => {
+                    self.stage = Stage::Ask { asking, model, report };
+                    None
+                }
+                Asked::Answered(answer, _) => {
+                    report.answer = Some(*answer);
+                    Some(Event::Experimented(report))
+                }
+                Asked::Failed(error) => Some(Event::Refused { message: error.to_string() }),
+            },
+            Stage::Over => None,
+        }
+    }
+}
+
 impl Experimenting {
-    /// An experiment that begins, or why it cannot.
-    pub(super) fn new(
-        experiment: Experiment,
-        corpus: &[Example],
-        config: Config,
-    ) -> Result<Self, String> {
+    fn new(experiment: Experiment, corpus: &[Example], config: Config) -> Result<Self, String> {
         let lexicon = match experiment {
             Experiment::Demonstration { .. } => DEMONSTRATION_LEXICON,
             _ => CLEANUP_LEXICON,
@@ -79,31 +108,6 @@ impl Experimenting {
             }
         };
         Ok(Experimenting { experiment, train, config, seed, problems: Vec::new(), stage })
-    }
-
-    /// Whether all is said.
-    pub(super) fn is_over(&self) -> bool {
-        matches!(self.stage, Stage::Over)
-    }
-
-    /// Does a bounded part, and says what there is to say of it.
-    pub(super) fn step(&mut self) -> Option<Event> {
-        match std::mem::replace(&mut self.stage, Stage::Over) {
-            Stage::Read { rows, test } => self.read_on(rows, test),
-            Stage::Run(runs) => self.run_on(runs),
-            Stage::Ask { mut asking, mut model, mut report } => match asking.step(&mut model) {
-                Asked::Working(_) => {
-                    self.stage = Stage::Ask { asking, model, report };
-                    None
-                }
-                Asked::Answered(answer, _) => {
-                    report.answer = Some(*answer);
-                    Some(Event::Experimented(report))
-                }
-                Asked::Failed(error) => Some(Event::Refused { message: error.to_string() }),
-            },
-            Stage::Over => None,
-        }
     }
 
     fn read_on(&mut self, mut rows: Box<Rows<Cursor<Vec<u8>>>>, mut test: Corpus) -> Option<Event> {

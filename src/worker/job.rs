@@ -2,11 +2,11 @@
 //! owns the engine: the page's worker, tests and benches alike; a step does a bounded amount of work.
 
 use super::ask::{Asked, Asking, explanations};
-use super::experiment::Experimenting;
+use super::experiment;
 use super::plan::{Begun, Planned, Planning};
 use super::protocol::{
-    CorpusReport, Event, Lesson, MOST_RUNS, MOST_TAUGHT, PairText, Problem, Progress, Request,
-    RowSummary, SeedLexicon, TeachReport, TrainReport, TrainSettings, WorldRules,
+    CorpusReport, Event, Experiment, Lesson, MOST_RUNS, MOST_TAUGHT, PairText, Problem, Progress,
+    Request, RowSummary, SeedLexicon, TeachReport, TrainReport, TrainSettings, WorldRules,
 };
 use super::watch::{Rolling, Valuing};
 use crate::ccg::{EntryText, Model};
@@ -23,6 +23,9 @@ use std::rc::Rc;
 
 /// Rows that a step reads.
 pub(super) const ROWS_A_STEP: usize = 4;
+
+const NO_EXPERIMENTS: &str =
+    "This engine runs no experiments: `groundling experiment` on the command line does.";
 
 const NO_PLAN: &str = "There is no plan to go by: ask for something first.";
 
@@ -47,8 +50,19 @@ enum Job {
     /// A policy is followed many times.
     RollOut(Box<Rolling>),
     /// An experiment is run.
-    Experiment(Box<Experimenting>),
+    Experiment(Box<dyn Work>),
 }
+
+/// Work that not every program of ours has.
+pub(super) trait Work {
+    /// Does a bounded part, and says what there is to say of it.
+    fn step(&mut self) -> Option<Event>;
+    /// Whether all is said.
+    fn is_over(&self) -> bool;
+}
+
+/// Begins an experiment, or says why it cannot.
+type Begin = fn(Experiment, &[Example], Config) -> Result<Box<dyn Work>, String>;
 
 /// What the engine knows and what it is at.
 #[derive(Default)]
@@ -56,15 +70,21 @@ pub struct Engine {
     corpus: Corpus,
     model: Option<Model>,
     planned: Option<Rc<Planned>>,
+    experiments: Option<Begin>,
     work: Option<(u32, Job)>,
     /// What must still be said before the work goes on: answers that take no work, and the ends of requests.
     said: VecDeque<(u32, Event)>,
 }
 
 impl Engine {
-    /// An engine that knows nothing.
+    /// An engine that knows nothing, and runs no experiments: the page's, which should come soon.
     pub fn new() -> Engine {
         Engine::default()
+    }
+
+    /// An engine that runs experiments, too.
+    pub fn with_experiments() -> Engine {
+        Engine { experiments: Some(experiment::begin), ..Engine::default() }
     }
 
     /// Takes a request; what was at work is cancelled, and what it would have replaced stays.
@@ -102,15 +122,16 @@ impl Engine {
                 Some(model) => Job::Say(Event::Explained(explanations(model, &command))),
                 None => refuse(NO_MODEL),
             },
-            Request::Experiment { experiment, settings } => {
-                let config = self.config(&settings);
-                let begun =
-                    config.and_then(|c| Experimenting::new(experiment, &self.corpus.examples, c));
-                match begun {
-                    Ok(work) => Job::Experiment(Box::new(work)),
-                    Err(message) => refuse(&message),
+            Request::Experiment { experiment, settings } => match self.experiments {
+                Some(begin) => {
+                    let config = self.config(&settings);
+                    match config.and_then(|c| begin(experiment, &self.corpus.examples, c)) {
+                        Ok(work) => Job::Experiment(work),
+                        Err(message) => refuse(&message),
+                    }
                 }
-            }
+                None => refuse(NO_EXPERIMENTS),
+            },
             Request::Cancel | Request::Ping => return,
         };
         self.work = Some((id, job));

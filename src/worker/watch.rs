@@ -7,6 +7,7 @@ use crate::domain::{Action, Direction, Packed, State};
 use crate::ground::Task;
 use crate::mdp::{
     Mdp, Outcome, Policy, Progress, RolloutReport, RolloutSettings, Rollouts, Settings, Solver,
+    StartingAt,
 };
 use crate::plan::{Auto, ENUMERABLE, ValueIteration};
 use std::rc::Rc;
@@ -21,7 +22,7 @@ const ACTIONS: usize = 500;
 pub(super) struct Valuing {
     planned: Rc<Planned>,
     around: Packed,
-    all: ValueIteration<Rc<Task>>,
+    all: ValueIteration<Problem>,
 }
 
 impl Valuing {
@@ -31,7 +32,9 @@ impl Valuing {
         let around =
             dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)?;
         let settings = Settings::default().with_budget(u64::MAX, ENUMERABLE);
-        let all = ValueIteration::new(planned.task.clone(), settings);
+        let task = planned.task.clone();
+        let start = task.initial();
+        let all = ValueIteration::new(StartingAt::new(task, start), settings);
         Some(Valuing { planned, around, all })
     }
 

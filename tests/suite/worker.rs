@@ -71,7 +71,7 @@ fn refused(engine: &mut Engine, request: Request) -> String {
 
 /// An engine that has learned the six sentences, and the model's text.
 fn taught(epochs: u32) -> (Engine, String) {
-    let mut engine = Engine::new();
+    let mut engine = Engine::with_experiments();
     pump(&mut engine, 1, corpus("six.csv", SIX));
     let Some(Event::Trained(report)) = pump(&mut engine, 2, train(epochs)).pop() else {
         panic!("it does not end with a model");

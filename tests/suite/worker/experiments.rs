@@ -26,7 +26,7 @@ fn six_again() -> CorpusText {
 }
 
 fn ready() -> Engine {
-    let mut engine = Engine::new();
+    let mut engine = Engine::with_experiments();
     pump(&mut engine, 1, corpus("six.csv", SIX));
     engine
 }
@@ -158,7 +158,7 @@ fn a_cancelled_experiment_leaves_everything_as_it_was() {
 
 #[test]
 fn what_cannot_be_run_is_refused_in_words() {
-    let said = refused(&mut Engine::new(), experiment(three_folds(), 1));
+    let said = refused(&mut Engine::with_experiments(), experiment(three_folds(), 1));
     assert_eq!(said, "There is nothing to learn from: load a corpus first.");
     let mut engine = ready();
     let said = refused(&mut engine, experiment(three_folds(), 0));
@@ -179,4 +179,10 @@ fn what_cannot_be_run_is_refused_in_words() {
         let said = refused(&mut engine, experiment(table, 1));
         assert!(said.starts_with(wanted), "{said}");
     }
+}
+
+#[test]
+fn the_page_s_engine_runs_none_and_says_where_they_are_run() {
+    let said = refused(&mut Engine::new(), experiment(three_folds(), 1));
+    assert!(said.contains("groundling experiment"), "{said}");
 }
