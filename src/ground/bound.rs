@@ -2,7 +2,7 @@
 //! of its parts, a conjunction's the largest, or what its objects add up to if that is more: an action moves one object
 //! by one cell, so moves of distinct objects add up; the robot's steps do not, but for those to the first object
 //! that must move (a cost partition: Katz and Domshlak 2010).
-//! Doors that turned out to be locked count: there are tables for every set of such doors, or for each one.
+//! Doors that turned out to be locked count: there are tables for every set of such doors, of the five that matter most.
 //! Where chance plays a part, values are bounded too: see [`BoundOf::most`].
 //! Invariant: bounds are admissible and consistent; locks only make a way longer.
 
@@ -11,18 +11,20 @@ use super::distance::{Ground, Moves, Steps, Table};
 use crate::domain::layout::Place;
 use crate::domain::{Dynamics, Lock, Packed};
 use crate::mdp::power;
+use std::cmp::Reverse;
 
-/// Most entries of all tables; above it the locks of doors count less, or not.
+/// Most entries of all tables; above it the locks of fewer doors count.
 const MAX_ENTRIES: usize = 6_000_000;
-/// Most doors for which there are tables for every set of them.
+/// Most doors whose locks count.
 const MAX_SETS: usize = 5;
 
 /// The bounds of a goal.
 #[derive(Clone, Debug)]
 pub(super) struct BoundOf {
-    /// As the doors are at the outset, then as `doors` has it.
+    /// For each set of `doors` being locked, as a binary number; the other doors are as at the outset.
     tables: Vec<Tables>,
-    doors: Doors,
+    /// Doors that nobody tried.
+    doors: Vec<usize>,
 }
 
 #[derive(Clone, Debug)]
@@ -34,18 +36,14 @@ struct Tables {
     steps: Steps,
 }
 
-/// Which tables there are besides the first.
-#[derive(Clone, Debug)]
-enum Doors {
-    /// For each set of these doors being locked, as a binary number.
-    Sets(Vec<usize>),
-    /// For each of these doors being locked.
-    Each(Vec<usize>),
-}
-
 impl BoundOf {
     /// The tables of these wishes in the world as it is in `initial`.
-    pub(super) fn new(wishes: &Wishes, dynamics: &Dynamics, initial: Packed) -> Self {
+    pub(super) fn new(
+        wishes: &Wishes,
+        (root, atoms): (&Node, &[Atom]),
+        dynamics: &Dynamics,
+        initial: Packed,
+    ) -> Self {
         let of = |packed: Packed| {
             let ground = Ground::new(dynamics, packed);
             let by_wish: Vec<Table> =
@@ -61,27 +59,26 @@ impl BoundOf {
         let first = of(initial);
         let places = dynamics.layout().len();
         let entries = first.by_wish.iter().map(Table::len).sum::<usize>() + places * places;
-        let untried: Vec<usize> = (0..dynamics.n_doors())
+        let mut doors: Vec<usize> = (0..dynamics.n_doors())
             .filter(|&door| dynamics.lock(initial, door) == Some(Lock::Unknown))
             .collect();
+        let lock = |packed, door| dynamics.with_lock(packed, door, Lock::Locked);
+        let most = (0..=MAX_SETS).rev().find(|k| entries << k <= MAX_ENTRIES).unwrap_or(0);
+        if doors.len() > most && most > 0 && entries * doors.len() <= MAX_ENTRIES {
+            // Those without which the way is longest; the first of equals.
+            doors.sort_by_cached_key(|&door| {
+                let tables = of(lock(initial, door));
+                let without = At { tables: &tables, atoms, dynamics, packed: initial }.node(root);
+                Reverse(without.unwrap_or(u32::MAX))
+            });
+        }
+        doors.truncate(most);
         let mut tables = vec![first];
-        let locked = |doors: &mut dyn Iterator<Item = usize>| {
-            doors.fold(initial, |packed, door| dynamics.with_lock(packed, door, Lock::Locked))
-        };
-        let n = untried.len();
-        if n <= MAX_SETS && entries << n <= MAX_ENTRIES {
-            for set in 1..1_usize << n {
-                let doors = untried.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
-                tables.push(of(locked(&mut doors.map(|(_, &door)| door))));
-            }
-            return Self { tables, doors: Doors::Sets(untried) };
+        for set in 1..1_usize << doors.len() {
+            let locked = doors.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
+            tables.push(of(locked.fold(initial, |packed, (_, &door)| lock(packed, door))));
         }
-        let few: Vec<usize> =
-            untried.into_iter().take((MAX_ENTRIES / entries.max(1)).saturating_sub(1)).collect();
-        for &door in &few {
-            tables.push(of(locked(&mut std::iter::once(door))));
-        }
-        Self { tables, doors: Doors::Each(few) }
+        Self { tables, doors }
     }
 
     /// A lower bound on the actions from a state to the goal at `root`; `None` when no number suffices.
@@ -92,23 +89,10 @@ impl BoundOf {
         dynamics: &Dynamics,
         packed: Packed,
     ) -> Option<u32> {
-        let by = |tables| At { tables, atoms, dynamics, packed }.node(root);
-        match &self.doors {
-            Doors::Sets(doors) => {
-                let locked =
-                    |(_, door): &(usize, &usize)| is(dynamics, packed, **door, Lock::Locked);
-                let locked = doors.iter().enumerate().filter(locked);
-                by(&self.tables[locked.fold(0, |set, (i, _)| set | 1 << i)])
-            }
-            Doors::Each(doors) => {
-                let each = doors.iter().zip(&self.tables[1..]);
-                let locked = each.filter(|(door, _)| is(dynamics, packed, **door, Lock::Locked));
-                locked
-                    .map(|(_, tables)| tables)
-                    .chain(&self.tables[..1])
-                    .try_fold(0, |most, tables| by(tables).map(|bound| bound.max(most)))
-            }
-        }
+        let is_locked = |door: usize| dynamics.lock(packed, door) == Some(Lock::Locked);
+        let locked = self.doors.iter().enumerate().filter(|(_, door)| is_locked(**door));
+        let tables = &self.tables[locked.fold(0, |set, (i, _)| set | 1 << i)];
+        At { tables, atoms, dynamics, packed }.node(root)
     }
 
     /// An upper bound on the discounted value of a state: what a robot would earn that knew beforehand which doors will
@@ -135,46 +119,23 @@ impl BoundOf {
             }
         };
         let lock = chances.lock();
-        match &self.doors {
-            Doors::Sets(doors) => {
-                let mut sum = 0.0;
-                for (set, tables) in self.tables.iter().enumerate() {
-                    let mut chance = 1.0;
-                    for (i, &door) in doors.iter().enumerate() {
-                        chance *= match (dynamics.lock(packed, door), set >> i & 1 == 1) {
-                            (Some(Lock::Unknown), true) => lock,
-                            (Some(Lock::Unknown), false) => 1.0 - lock,
-                            (found, wanted) => {
-                                f64::from(u8::from((found == Some(Lock::Locked)) == wanted))
-                            }
-                        };
-                    }
-                    if chance > 0.0 {
-                        sum += chance * by(tables);
-                    }
-                }
-                sum
+        let mut sum = 0.0;
+        for (set, tables) in self.tables.iter().enumerate() {
+            let mut chance = 1.0;
+            for (i, &door) in self.doors.iter().enumerate() {
+                let wanted = set >> i & 1 == 1;
+                chance *= match dynamics.lock(packed, door) {
+                    Some(Lock::Unknown) if wanted => lock,
+                    Some(Lock::Unknown) => 1.0 - lock,
+                    found => f64::from(u8::from((found == Some(Lock::Locked)) == wanted)),
+                };
             }
-            Doors::Each(doors) => {
-                let open = by(&self.tables[0]);
-                let mut least = open;
-                for (&door, tables) in doors.iter().zip(&self.tables[1..]) {
-                    let chance = match dynamics.lock(packed, door) {
-                        Some(Lock::Unknown) => lock,
-                        Some(Lock::Locked) => 1.0,
-                        _ => continue,
-                    };
-                    least = least.min(chance * by(tables) + (1.0 - chance) * open);
-                }
-                least
+            if chance > 0.0 {
+                sum += chance * by(tables);
             }
         }
+        sum
     }
-}
-
-/// Whether the door with this index is in a state of its lock.
-fn is(dynamics: &Dynamics, packed: Packed, door: usize, lock: Lock) -> bool {
-    dynamics.lock(packed, door) == Some(lock)
 }
 
 /// A state, and the tables that are right for it.

@@ -141,7 +141,7 @@ impl Compiled {
             atoms.push(Atom { first, second, wish: index_of(&mut wishes.all, wish) });
         }
         wishes.load(&mut root, &atoms);
-        let bound = BoundOf::new(&wishes, dynamics, initial);
+        let bound = BoundOf::new(&wishes, (&root, &atoms), dynamics, initial);
         Self { root, atoms, wishes: wishes.all, bound }
     }
 
