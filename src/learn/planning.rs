@@ -7,10 +7,11 @@
 use crate::domain::{Rules, State};
 use crate::ground::{Goal, PairId, Side, Task, Validator};
 use crate::logic::{TermId, Terms};
-use crate::mdp::{Budget, Outcome, Settings, Solver};
+use crate::mdp::{Budget, Mdp, Outcome, Settings, Solver, StartingAt};
 use crate::plan::AStar;
 use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
+use std::rc::Rc;
 
 /// States that one call of the planner may expand: more than a room with one object has, so that a search in vain
 /// ends. A call that runs out of it finds no plan.
@@ -136,7 +137,10 @@ impl Planner {
         }
         let budget = Budget { steps: CALL_BUDGET, ..Budget::default() };
         let call = Settings { budget, ..Settings::default() };
-        let mut search = AStar::within(&task, call, horizon);
+        // The problem has the type that the page plans with: its program holds the search once.
+        let task = Rc::new(task);
+        let problem = StartingAt::new(task.clone(), task.initial());
+        let mut search = AStar::within(problem, call, horizon);
         let outcome = search.run();
         self.cost.expanded += search.expanded();
         self.cost.given_up += u64::from(outcome == Outcome::Budget);

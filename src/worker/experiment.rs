@@ -47,6 +47,11 @@ struct Runs {
     all: Report,
 }
 
+/// The end of an experiment. A report always has a JSON form: it has no maps, and its floats are finite.
+fn experimented(report: &ExperimentReport) -> Event {
+    Event::Experimented { report: serde_json::to_string(report).unwrap_or_default() }
+}
+
 /// An experiment that begins, or why it cannot.
 pub(super) fn begin(
     experiment: Experiment,
@@ -72,7 +77,7 @@ impl Work for Experimenting {
                 }
                 Asked::Answered(answer, _) => {
                     report.answer = Some(*answer);
-                    Some(Event::Experimented(report))
+                    Some(experimented(&report))
                 }
                 Asked::Failed(error) => Some(Event::Refused { message: error.to_string() }),
             },
@@ -184,7 +189,7 @@ impl Experimenting {
             self.stage = Stage::Ask { asking, model, report };
             return None;
         }
-        Some(Event::Experimented(report))
+        Some(experimented(&report))
     }
 }
 

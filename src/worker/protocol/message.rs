@@ -1,8 +1,8 @@
 //! The messages themselves: requests of the page, events of the engine, and the envelope around both.
 
 use super::learning::{
-    CorpusReport, Experiment, ExperimentProgress, ExperimentReport, Lesson, PairText, Progress,
-    SeedLexicon, TeachReport, TrainReport, TrainSettings,
+    CorpusReport, Experiment, ExperimentProgress, Lesson, PairText, Progress, SeedLexicon,
+    TeachReport, TrainReport, TrainSettings,
 };
 use super::planning::{Answer, PlanProgress, PlanText, Runs, ValueMap, WorldRules};
 use crate::ccg::Explanation;
@@ -153,7 +153,10 @@ pub enum Event {
     /// An experiment has gone on by one example.
     Experimenting(ExperimentProgress),
     /// An experiment is over.
-    Experimented(Box<ExperimentReport>),
+    Experimented {
+        /// An [`ExperimentReport`](super::ExperimentReport) as JSON: a page that only keeps it need not take it apart.
+        report: String,
+    },
     /// The request failed; what was loaded before is as it was.
     Refused {
         /// What is wrong, where, and what to do: for a person.

@@ -35,10 +35,10 @@ fn ready() -> Engine {
 #[track_caller]
 fn found(engine: &mut Engine, request: Request) -> ExperimentReport {
     let mut events = pump(engine, 2, request);
-    let Some(Event::Experimented(report)) = events.pop() else { panic!("{events:?}") };
+    let Some(Event::Experimented { report }) = events.pop() else { panic!("{events:?}") };
     let way = |event: &Event| matches!(event, Event::Experimenting(_));
     assert!(events.iter().all(way), "only progress before the end");
-    *report
+    serde_json::from_str(&report).unwrap()
 }
 
 #[test]

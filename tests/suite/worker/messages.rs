@@ -179,6 +179,8 @@ fn events_come_back_from_json() {
         answer: Some(without.clone()),
         problems: report.problems.clone(),
     };
+    let text = serde_json::to_string(&found).unwrap();
+    assert_eq!(serde_json::from_str::<ExperimentReport>(&text).unwrap(), found);
     let model = "groundling model 1\nend\n".to_owned();
     let trained = TrainReport { model, examples: 6, valid: 6, entries: 9 };
     let entry = EntryText {
@@ -197,7 +199,7 @@ fn events_come_back_from_json() {
         Event::Progress(progress.clone()),
         Event::Experimenting(learning),
         Event::Experimenting(judging),
-        Event::Experimented(Box::new(found)),
+        Event::Experimented { report: text },
         Event::Trained(trained.clone()),
         Event::Taught(Box::new(TeachReport {
             model: trained,
@@ -223,7 +225,7 @@ fn events_come_back_from_json() {
         Event::Row { .. } => "row",
         Event::Progress(_) => "progress",
         Event::Experimenting(_) => "experimenting",
-        Event::Experimented(_) => "experimented",
+        Event::Experimented { .. } => "experimented",
         Event::Trained(_) => "trained",
         Event::Taught(_) => "taught",
         Event::Explained(_) => "explained",
