@@ -21,6 +21,9 @@ pub struct Lrtdp<P: Mdp> {
     upper: Vec<f64>,
     lower: Vec<f64>,
     is_expanded: Vec<bool>,
+    /// How many states are still to be expanded, were it needed, and whether a terminal one was met.
+    n_open: usize,
+    has_end: bool,
     /// The last trial that met each state.
     met: Vec<u32>,
     /// The states that this trial is in, each with the outcomes of its best action that are still to be followed.
@@ -44,6 +47,8 @@ impl<P: Mdp> Lrtdp<P> {
             upper: Vec::new(),
             lower: Vec::new(),
             is_expanded: Vec::new(),
+            n_open: 0,
+            has_end: false,
             met: Vec::new(),
             path: Vec::new(),
             trials: 0,
@@ -74,10 +79,12 @@ impl<P: Mdp> Lrtdp<P> {
         for id in self.upper.len()..self.graph.len() {
             let id = id as Id;
             let (lower, upper) = if self.graph.is_terminal(id) {
+                self.has_end = true;
                 (1.0, 1.0)
             } else if self.graph.is_dead(id) {
                 (0.0, 0.0)
             } else {
+                self.n_open += 1;
                 (0.0, self.settings.discount * self.graph.most(id))
             };
             self.lower.push(lower);
@@ -133,6 +140,12 @@ impl<P: Mdp> Lrtdp<P> {
             self.graph.expand(id);
             self.bound_new_states();
             self.is_expanded[id as usize] = true;
+            self.n_open -= 1;
+            if self.n_open == 0 && !self.has_end {
+                // That was all that can be reached.
+                self.upper.fill(0.0);
+                return Some(Outcome::Unreachable);
+            }
         }
         let best = self.back_up(id);
         self.path.push((id, best.map_or(0..0, |row| self.graph.edges(row))));

@@ -152,3 +152,57 @@ fn a_problem_can_begin_elsewhere() {
         }
     }
 }
+
+/// A problem that knows no bounds.
+struct Blind(Toy);
+
+impl Mdp for Blind {
+    type State = u32;
+    type Action = u8;
+
+    fn initial(&self) -> u32 {
+        self.0.initial()
+    }
+    fn actions(&self) -> &[u8] {
+        self.0.actions()
+    }
+    fn successors(&self, state: u32, action: u8, out: &mut Vec<(u32, f64)>) {
+        self.0.successors(state, action, out);
+    }
+    fn is_terminal(&self, state: u32) -> bool {
+        self.0.is_terminal(state)
+    }
+}
+
+#[test]
+fn without_bounds_values_are_the_same_and_what_cannot_be_reached_is_proved_so() {
+    let settings = Settings::default();
+    let (mut solved, mut vain) = (0, 0);
+    for seed in 0..120 {
+        let blind = Blind(Toy::new(seed, 30, seed % 2 == 0));
+        let wanted = values(&blind.0, settings.discount)[0];
+        let solvers: [Box<dyn Solver<u32, u8> + '_>; 3] = [
+            Box::new(AStar::new(&blind, settings)),
+            Box::new(ValueIteration::new(&blind, settings)),
+            Box::new(Lrtdp::new(&blind, settings)),
+        ];
+        for mut solver in solvers {
+            let outcome = solver.run();
+            let said = format!("{} {outcome:?} seed {seed}", solver.name());
+            match outcome {
+                Outcome::Solved => {
+                    solved += 1;
+                    let value = solver.value(0).unwrap();
+                    assert!((value - wanted).abs() < 1e-6, "{said}: {value}, not {wanted}");
+                }
+                Outcome::Unreachable => {
+                    vain += 1;
+                    assert_eq!((wanted, solver.progress().upper), (0.0, 0.0), "{said}");
+                }
+                Outcome::Unfit => assert!(!blind.0.is_sure, "{said}"),
+                Outcome::Budget => panic!("{said}"),
+            }
+        }
+    }
+    assert!(solved > 100 && vain > 20, "{solved} solved, {vain} in vain");
+}
