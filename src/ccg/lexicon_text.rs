@@ -31,7 +31,7 @@ pub struct LexiconError {
 }
 
 /// Reads a seed lexicon into a model, with weights after the reference's: a lexeme 1, an entry words^1.1, each times
-/// [`SEED`]; what is said and left out costs [`SKIP`], [`DROP`] and [`LOSS`].
+/// [`SEED`]; what is said and left out costs what `SKIP`, `DROP` and `LOSS` say.
 ///
 /// # Errors
 /// With the line and what is wrong there.
