@@ -1,8 +1,11 @@
 // How long things take in the page, from the press to what it changes. Reported, never asserted: frames are
 // drawn in software here, and other programs may be at work.
 
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
 import { flow } from '../flow.mjs';
 import { openPage } from '../page.mjs';
+import { root } from '../packages.mjs';
 
 /** Milliseconds from a click on `press` until an element `awaited` is there, and until it was drawn. */
 function taken(page, press, awaited) {
@@ -34,4 +37,63 @@ flow('times', async (t) => {
       resources.reduce((sum, entry) => sum + entry.decodedBodySize, 0)];
   });
   t.note(`the page: ${loaded.toFixed(0)} ms, ${(bytes / 1e6).toFixed(1)} MB before compression, renderer included`);
+});
+
+/** Plans in a worker of its own, in the words of `src/worker/protocol`: milliseconds to each answer, and the answer. */
+function answers(page, requests) {
+  return page.evaluate(async (bodies) => {
+    const engine = new Worker(new URL('engine.js', document.baseURI), { type: 'module' });
+    const heard = [];
+    let wake = () => {};
+    engine.onmessage = (event) => { heard.push(JSON.parse(event.data)); wake(); };
+    const next = async () => {
+      while (heard.length === 0) await new Promise((resolve) => { wake = resolve; });
+      return heard.shift();
+    };
+    await next();
+    const all = [];
+    for (const body of bodies) {
+      const start = performance.now();
+      engine.postMessage(JSON.stringify({ groundling: 4, id: 1, body }));
+      let said;
+      do said = (await next()).body; while (said.planning || said.rolling_out);
+      all.push({ taken: performance.now() - start, said });
+    }
+    engine.terminate();
+    return all;
+  }, requests);
+}
+
+flow('times of planning', async (t) => {
+  const text = await readFile(path.join(root, 'tests/benches/worlds/nine.json'), 'utf8');
+  const world = (objects, lock) => {
+    const state = JSON.parse(text);
+    state.objects.length = objects;
+    for (const door of state.doors) door.lock = lock;
+    return state;
+  };
+  const the = (...predicates) => `(the:<<e,t>,e> (lambda $0:e (and:<t*,t> ${predicates.map((p) => `(${p}:<e,t> $0)`).join(' ')})))`;
+  const brought = ['red', 'blue', 'green'].map((room, i) => {
+    const { shape, color } = world(3, 'unlocked').objects[i];
+    return `(in:<e,<e,t>> ${the(shape, color)} ${the('room', room)})`;
+  });
+  const rules = { pull: true, robot: false, landmarks_stay: false, slip: 0, lock: 0, loss: 0 };
+  const all = `(and:<t*,t> ${brought.join(' ')})`;
+  const [shortest, sure, chancy, runs] = await answers((await openPage(t)).page, [
+    { plan: { form: all, state: world(3, 'unlocked'), rules } },
+    { values: { state: world(3, 'unlocked') } },
+    { plan: { form: all, state: world(3, 'unknown'), rules: { ...rules, lock: 0.5 } } },
+    { roll_out: { runs: 1000, seed: 0 } },
+  ]);
+  const plan = shortest.said.planned;
+  t.equal([plan.work.solver, plan.reached, plan.sure, plan.actions.length], ['astar', true, true, 29], 'the plan');
+  t.note(`three objects to three rooms: ${shortest.taken.toFixed(0)} ms`);
+  t.check(sure.said.values.cells.length > 0, 'cells are worth something');
+  t.note(`what the cells are worth: ${sure.taken.toFixed(0)} ms`);
+  const { work } = chancy.said.planned;
+  t.check(work.bounds[0] > 0 && work.bounds[1] - work.bounds[0] < 1e-5, 'its value is known');
+  t.note(`the same behind doors that lock: ${chancy.taken.toFixed(0)} ms, ${work.solver}, ${work.states} states`);
+  const { successes, interval } = runs.said.rolled_out;
+  t.check(interval[0] < 0.25 && interval[1] > 0.25, `both doors open in one of four worlds, not ${successes} of 1,000`);
+  t.note(`a thousand runs of that policy: ${runs.taken.toFixed(0)} ms`);
 });
