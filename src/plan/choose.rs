@@ -6,8 +6,8 @@ use super::{AStar, Lrtdp, Uct, ValueIteration};
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 use std::fmt;
 
-/// Most states that are numbered at once: some 40 ms natively, and a plan should seem to be there at once.
-pub const ENUMERABLE: usize = 50_000;
+/// Most states that are numbered at once: a few milliseconds natively, for a plan should seem to be there at once.
+const ENUMERABLE: usize = 10_000;
 /// The share of the steps that is kept for trying things out when nothing could be proved.
 const LAST_RESORT: u64 = 8;
 

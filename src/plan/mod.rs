@@ -8,7 +8,7 @@ pub mod uct;
 pub mod choose;
 
 pub use astar::{AStar, Solution};
-pub use choose::{AnySolver, Auto, ENUMERABLE, SOLVERS, Why};
+pub use choose::{AnySolver, Auto, SOLVERS, Why};
 pub use lrtdp::Lrtdp;
 pub use uct::Uct;
 pub use value_iteration::ValueIteration;

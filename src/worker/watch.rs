@@ -9,11 +9,13 @@ use crate::mdp::{
     Mdp, Outcome, Policy, Progress, RolloutReport, RolloutSettings, Rollouts, Settings, Solver,
     StartingAt,
 };
-use crate::plan::{Auto, ENUMERABLE, ValueIteration};
+use crate::plan::{Auto, ValueIteration};
 use std::rc::Rc;
 
 /// States that are worked out in a step of the job.
 const STEPS: usize = 500;
+/// Most states that are worked out: some tens of megabytes, and under a second in a page.
+const STATES: usize = 250_000;
 /// Actions of runs in a step of the job.
 const ACTIONS: usize = 500;
 
@@ -31,7 +33,7 @@ impl Valuing {
         let dynamics = planned.task.dynamics();
         let around =
             dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)?;
-        let settings = Settings::default().with_budget(u64::MAX, ENUMERABLE);
+        let settings = Settings::default().with_budget(u64::MAX, STATES);
         let task = planned.task.clone();
         let start = task.initial();
         let all = ValueIteration::new(StartingAt::new(task, start), settings);
