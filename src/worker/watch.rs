@@ -14,8 +14,8 @@ use std::rc::Rc;
 
 /// States that are worked out in a step of the job.
 const STEPS: usize = 500;
-/// Most states that are worked out: some tens of megabytes, and under a second in a page.
-const STATES: usize = 250_000;
+/// Most states that are worked out: some twenty megabytes, and a fraction of a second in a page.
+const STATES: usize = 100_000;
 /// Actions of runs in a step of the job.
 const ACTIONS: usize = 500;
 

@@ -13,7 +13,7 @@ mod cpu;
 mod learning;
 
 use cpu::{Row, print_table, seconds};
-use groundling::domain::{Plan, Rules, State, generate};
+use groundling::domain::{Color, Lock, Plan, Rules, State, generate};
 use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
 use groundling::mdp::{Settings, Solver};
@@ -22,6 +22,8 @@ use groundling::worker::job::Engine;
 use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
 use std::hint::black_box;
 
+/// Three rooms on 9 × 9 cells with three objects.
+const NINE: &str = include_str!("worlds/nine.json");
 /// The six sentences of the demonstration, and the paper's settings.
 const SIX: &str = include_str!("../../assets/corpus/six.csv");
 const SETTINGS: TrainSettings =
@@ -70,6 +72,10 @@ fn main() {
         black_box(pump(&mut engine, Request::Ask { command, state, rules: WorldRules::default() }));
     }));
     rows.push(Row::of("plan: three objects with pull", 20, Some(REFERENCE_PLAN), |_| plan()));
+    rows.push(Row::of("the engine's job: plan behind doors that lock", 5, None, |_| {
+        black_box(pump(&mut engine, behind_doors()));
+    }));
+    rows.push(Row::from_seconds("one step of it (never over 16 ms)", job_steps(behind_doors())));
     rows.extend(learning::rows());
     print_table(&rows);
     if let Some(megabytes) = learning::peak_memory() {
@@ -100,6 +106,35 @@ fn steps(engine: &mut Engine) -> Vec<f64> {
         steps.push(seconds(|| {
             black_box(engine.step());
         }));
+    }
+    steps
+}
+
+/// Three objects to three rooms, behind doors that lock as often as not.
+fn behind_doors() -> Request {
+    let mut state = State::read(NINE).unwrap();
+    state.doors.iter_mut().for_each(|door| door.lock = Lock::Unknown);
+    let the = |a: &str, b: &str| {
+        format!("(the:<<e,t>,e> (lambda $0:e (and:<t*,t> ({a}:<e,t> $0) ({b}:<e,t> $0))))")
+    };
+    let rooms = [Color::Red, Color::Blue, Color::Green];
+    let parts = state.objects.iter().zip(rooms).map(|(object, room)| {
+        let object = the(object.shape.name(), object.color.name());
+        format!("(in:<e,<e,t>> {object} {})", the("room", room.name()))
+    });
+    let form = format!("(and:<t*,t> {})", parts.collect::<Vec<_>>().join(" "));
+    let rules =
+        WorldRules { pull: true, landmarks_stay: false, lock: 0.5, ..WorldRules::default() };
+    Request::Plan { form, state, rules }
+}
+
+/// What each step of a request costs, in seconds.
+fn job_steps(request: Request) -> Vec<f64> {
+    let mut engine = Engine::new();
+    engine.start(1, request);
+    let mut steps = Vec::new();
+    while engine.busy() {
+        steps.push(seconds(|| drop(black_box(engine.step()))));
     }
     steps
 }

@@ -79,21 +79,25 @@ flow('times of planning', async (t) => {
   });
   const rules = { pull: true, robot: false, landmarks_stay: false, slip: 0, lock: 0, loss: 0 };
   const all = `(and:<t*,t> ${brought.join(' ')})`;
-  const [shortest, sure, chancy, runs] = await answers((await openPage(t)).page, [
+  const requests = [
     { plan: { form: all, state: world(3, 'unlocked'), rules } },
     { values: { state: world(3, 'unlocked') } },
     { plan: { form: all, state: world(3, 'unknown'), rules: { ...rules, lock: 0.5 } } },
     { roll_out: { runs: 1000, seed: 0 } },
-  ]);
+  ];
+  // The browser makes a program faster while it runs: what a visitor meets first, and what the tenth time takes.
+  const rounds = await answers((await openPage(t)).page, Array(10).fill(requests).flat());
+  const [shortest, sure, chancy, runs] = rounds;
+  const taken = (nth) => [rounds[nth], rounds.at(nth - 4)].map((one) => `${one.taken.toFixed(0)} ms`).join(', then ');
   const plan = shortest.said.planned;
   t.equal([plan.work.solver, plan.reached, plan.sure, plan.actions.length], ['astar', true, true, 29], 'the plan');
-  t.note(`three objects to three rooms: ${shortest.taken.toFixed(0)} ms`);
+  t.note(`three objects to three rooms: ${taken(0)}`);
   t.check(sure.said.values.cells.length > 0, 'cells are worth something');
-  t.note(`what the cells are worth: ${sure.taken.toFixed(0)} ms`);
+  t.note(`what the cells are worth: ${taken(1)}`);
   const { work } = chancy.said.planned;
   t.check(work.bounds[0] > 0 && work.bounds[1] - work.bounds[0] < 1e-5, 'its value is known');
-  t.note(`the same behind doors that lock: ${chancy.taken.toFixed(0)} ms, ${work.solver}, ${work.states} states`);
+  t.note(`the same behind doors that lock: ${taken(2)}; ${work.solver}, ${work.states} states`);
   const { successes, interval } = runs.said.rolled_out;
   t.check(interval[0] < 0.25 && interval[1] > 0.25, `both doors open in one of four worlds, not ${successes} of 1,000`);
-  t.note(`a thousand runs of that policy: ${runs.taken.toFixed(0)} ms`);
+  t.note(`a thousand runs of that policy: ${taken(3)}`);
 });
