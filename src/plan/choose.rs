@@ -114,6 +114,8 @@ pub struct Auto<P: Mdp> {
     chosen: AnySolver<P>,
     /// Steps of the solvers before.
     spent: u64,
+    /// What they proved of the value of the initial state.
+    proved: (f64, f64),
     outcome: Option<Outcome>,
 }
 
@@ -123,7 +125,15 @@ impl<P: Mdp + Clone> Auto<P> {
     pub fn new(problem: P, settings: Settings) -> Self {
         let search = AStar::new(problem.clone(), reserved(settings, LAST_RESORT));
         let chosen = AnySolver::AStar(Box::new(search));
-        Self { problem, settings, why: Why::Sure, chosen, spent: 0, outcome: None }
+        Self {
+            problem,
+            settings,
+            why: Why::Sure,
+            chosen,
+            spent: 0,
+            proved: (0.0, 1.0),
+            outcome: None,
+        }
     }
 
     /// Why the present solver was chosen.
@@ -145,7 +155,9 @@ impl<P: Mdp + Clone> Auto<P> {
     }
 
     fn change(&mut self, why: Why) {
-        self.spent += self.chosen.progress().steps;
+        let progress = self.progress();
+        self.spent = progress.steps;
+        self.proved = (progress.lower, progress.upper);
         let left = self.left();
         let problem = self.problem.clone();
         self.why = why;
@@ -218,6 +230,12 @@ impl<P: Mdp + Clone> Solver<P::State, P::Action> for Auto<P> {
 
     fn progress(&self) -> Progress {
         let progress = self.chosen.progress();
-        Progress { steps: progress.steps + self.spent, ..progress }
+        let (lower, upper) = self.proved;
+        Progress {
+            steps: progress.steps + self.spent,
+            lower: progress.lower.max(lower),
+            upper: progress.upper.min(upper),
+            ..progress
+        }
     }
 }

@@ -78,6 +78,8 @@ impl<P: Mdp> Uct<P> {
     /// One trial: down the tree, on at random, and back up.
     fn try_out(&mut self) {
         self.trials += 1;
+        // A trial that goes nowhere is work, too: the budget must end.
+        self.steps += 1;
         self.path.clear();
         let mut id = 0;
         let mut earned = loop {
@@ -262,7 +264,9 @@ impl<P: Mdp> Policy<P::State, P::Action> for Uct<P> {
             return Some(0.0);
         }
         let row = self.favourite(id)?;
-        Some(self.row_sums[row] / f64::from(self.row_visits[row]))
+        let worth = self.row_sums[row] / f64::from(self.row_visits[row]);
+        // That no trial came to anything proves nothing.
+        (worth > 0.0).then_some(worth)
     }
 }
 

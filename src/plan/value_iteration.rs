@@ -216,7 +216,11 @@ impl<P: Mdp> Policy<P::State, P::Action> for ValueIteration<P> {
         let is_known =
             self.graph.is_dead(id) || !self.is_partial || !self.graph.rows(id).is_empty();
         let is_known = is_known && (self.stage == Stage::Sweep || self.outcome.is_some());
-        is_known.then(|| self.worth.get(id as usize).map_or(0.0, |w| w / self.settings.discount))
+        let worth = self.worth.get(id as usize).map_or(0.0, |w| w / self.settings.discount);
+        // That nothing helps is known when it is proved, and not when sweeps have not come there yet.
+        let is_proved = self.graph.is_dead(id)
+            || matches!(self.outcome, Some(Outcome::Solved | Outcome::Unreachable));
+        (is_known && (worth > 0.0 || is_proved)).then_some(worth)
     }
 }
 

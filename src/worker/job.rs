@@ -156,7 +156,13 @@ impl Engine {
     /// One step of a job: what it says, and the job if it is not over.
     fn advance(&mut self, job: Job) -> (Option<Event>, Option<Job>) {
         match job {
-            Job::Say(event) => (Some(event), None),
+            Job::Say(event) => {
+                // A goal that needed no search has no policy.
+                if matches!(event, Event::Planned(_)) {
+                    self.planned = None;
+                }
+                (Some(event), None)
+            }
             Job::Read { name, mut rows, mut corpus, mut flaws } => {
                 for _ in 0..ROWS_A_STEP {
                     match rows.next() {

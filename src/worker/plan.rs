@@ -20,6 +20,8 @@ const REPORT: u32 = 16;
 const BUDGET: (u64, usize) = (20_000_000, 2_000_000);
 /// A run that takes more actions is given up.
 const MOST_ACTIONS: usize = 2_000;
+/// A robot that has thought again so often is lost.
+const MOST_REPLANS: u32 = 20;
 /// The seed of what happens in the run that is shown.
 const SEED: u64 = 0;
 
@@ -145,7 +147,8 @@ impl Planning {
             let policies = || again.map(|again| &again.solver).into_iter().chain([&*first]);
             let Some(action) = policies().find_map(|policy| policy.action(known)) else {
                 let is_lost = policies().any(|policy| policy.value(known) == Some(0.0));
-                if is_lost || again.is_some_and(|again| again.from == known) {
+                let has_thought = again.is_some_and(|again| again.from == known);
+                if is_lost || has_thought || run.replans == MOST_REPLANS {
                     return true;
                 }
                 run.replans += 1;

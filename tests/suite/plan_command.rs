@@ -192,3 +192,17 @@ fn forms_landmarks_and_rollouts_are_heard() {
     assert_eq!(answers[5]["reason"], "budget");
     assert_eq!(answers[5]["bounds"], serde_json::json!([0.0, 0.9801]));
 }
+
+#[test]
+fn a_solver_ends_where_nothing_helps_and_proves_nothing_by_giving_up() {
+    // Every action slips: UCT has nowhere to go, and its budget ends all the same.
+    let stuck = corridor(CHAIR_IN_BLUE, r#","solver":"uct","steps":1000,"slip_probability":1"#);
+    let answer = &answers(&run("plan", &stuck))[0];
+    assert_ne!(answer["value"].as_f64(), Some(1.0), "{answer}");
+    assert!(["budget", "unreachable"].contains(&answer["reason"].as_str().unwrap()), "{answer}");
+    // A budget that ends too soon leaves states worth nothing yet: runs plan again there instead of giving up.
+    let few = r#","solver":"vi","steps":2,"rollouts":3"#;
+    let answer = &answers(&run("plan", &corridor(CHAIR_IN_BLUE, few)))[0];
+    assert_eq!((&answer["reason"], &answer["value"]), (&"budget".into(), &().into()));
+    assert!(answer["rollouts"]["replans"].as_u64().unwrap() > 0, "{answer}");
+}
