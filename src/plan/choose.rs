@@ -1,5 +1,6 @@
 //! Which solver for which problem, by chance and by size: A* while every action met has one outcome; else value
-//! iteration when all states can be numbered, else LRTDP; UCT when the budget ran out with no way to the goal known.
+//! iteration when all states can be numbered, else LRTDP; when that shows no way to the goal, value iteration of as many
+//! states as fit, which may prove that there is none; UCT when the budget ran out.
 //! A plan that A* finds before it meets chance is optimal all the same: every state that it left unexplored is bounded.
 
 use super::{AStar, Lrtdp, Uct, ValueIteration};
@@ -8,6 +9,8 @@ use std::fmt;
 
 /// Most states that are numbered at once: a few milliseconds natively, for a plan should seem to be there at once.
 const ENUMERABLE: usize = 10_000;
+/// Most states that are numbered to prove that there is no way to the goal: some hundred megabytes.
+const PROVABLE: usize = 1_000_000;
 /// The share of the steps that is kept for trying things out when nothing could be proved.
 const LAST_RESORT: u64 = 8;
 
@@ -84,6 +87,8 @@ pub enum Why {
     Small,
     /// Chance plays a part, and there are more states than this.
     Large(usize),
+    /// Half of the budget showed no way to the goal: it may be that there is none.
+    Undecided,
     /// What could be proved within the budget is no way to the goal.
     Spent,
 }
@@ -98,6 +103,9 @@ impl fmt::Display for Why {
             Self::Large(most) => write!(
                 f,
                 "things may go wrong, and more than {most} situations can come about, so only those are worked out that a good policy may meet"
+            ),
+            Self::Undecided => f.write_str(
+                "half of the budget showed no way to the goal, so all situations are worked out to see whether there is one",
             ),
             Self::Spent => f.write_str(
                 "the budget ran out before a way was proved, so the rest of it went into trying things out",
@@ -168,8 +176,11 @@ impl<P: Mdp + Clone> Auto<P> {
                 let small = reserved(left.with_budget(left.budget.steps, states), LAST_RESORT);
                 AnySolver::ValueIteration(Box::new(ValueIteration::new(problem, small)))
             }
-            Why::Large(_) => {
-                AnySolver::Lrtdp(Box::new(Lrtdp::new(problem, reserved(left, LAST_RESORT))))
+            Why::Large(_) => AnySolver::Lrtdp(Box::new(Lrtdp::new(problem, reserved(left, 2)))),
+            Why::Undecided => {
+                let states = left.budget.states.min(PROVABLE);
+                let all = reserved(left.with_budget(left.budget.steps, states), LAST_RESORT);
+                AnySolver::ValueIteration(Box::new(ValueIteration::new(problem, all)))
             }
             Why::Spent => AnySolver::Uct(Box::new(Uct::new(problem, left))),
         };
@@ -180,12 +191,15 @@ impl<P: Mdp + Clone> Auto<P> {
         if let AnySolver::ValueIteration(solver) = &self.chosen
             && solver.is_partial()
         {
-            return Some(Why::Large(ENUMERABLE.min(self.settings.budget.states)));
+            return Some(match self.why {
+                Why::Undecided => Why::Spent,
+                _ => Why::Large(ENUMERABLE.min(self.settings.budget.states)),
+            });
         }
         match outcome? {
             Outcome::Unfit => Some(Why::Small),
             Outcome::Budget if self.why != Why::Spent && self.progress().lower == 0.0 => {
-                Some(Why::Spent)
+                Some(if matches!(self.why, Why::Large(_)) { Why::Undecided } else { Why::Spent })
             }
             _ => None,
         }
