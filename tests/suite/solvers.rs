@@ -4,7 +4,7 @@
 pub(crate) mod toy;
 
 use groundling::mdp::{Mdp, Outcome, Policy, Settings, Solver, StartingAt};
-use groundling::plan::{AStar, Lrtdp, ValueIteration};
+use groundling::plan::{AStar, Auto, Lrtdp, ValueIteration, Why};
 use toy::{Toy, values};
 
 /// The solvers that prove what they say, at a problem.
@@ -205,4 +205,57 @@ fn without_bounds_values_are_the_same_and_what_cannot_be_reached_is_proved_so() 
         }
     }
     assert!(solved > 100 && vain > 20, "{solved} solved, {vain} in vain");
+}
+
+/// A square of cells with nowhere to arrive: any step may slip, and nothing says how far the goal is.
+#[derive(Clone, Copy)]
+struct Nowhere {
+    side: u32,
+}
+
+impl Mdp for Nowhere {
+    type State = u32;
+    type Action = u8;
+
+    fn initial(&self) -> u32 {
+        0
+    }
+    fn actions(&self) -> &[u8] {
+        &[0, 1, 2, 3]
+    }
+    fn successors(&self, state: u32, action: u8, out: &mut Vec<(u32, f64)>) {
+        let (x, y) = (state % self.side, state / self.side);
+        let last = self.side - 1;
+        let (x, y) = match action {
+            0 => ((x + 1).min(last), y),
+            1 => (x.saturating_sub(1), y),
+            2 => (x, (y + 1).min(last)),
+            _ => (x, y.saturating_sub(1)),
+        };
+        let next = y * self.side + x;
+        if next == state {
+            out.push((state, 1.0));
+        } else {
+            out.extend([(next, 0.75), (state, 0.25)]);
+        }
+    }
+    fn is_terminal(&self, _: u32) -> bool {
+        false
+    }
+}
+
+#[test]
+fn the_chooser_proves_that_there_is_no_way_or_says_that_it_does_not_know() {
+    // More states than are numbered at once, and few enough to look at each.
+    let mut auto =
+        Auto::new(Nowhere { side: 110 }, Settings::default().with_budget(60_000, 50_000));
+    assert_eq!(auto.run(), Outcome::Unreachable);
+    let progress = auto.progress();
+    assert_eq!((progress.lower, progress.upper), (0.0, 0.0));
+    // Too many for the budget: nothing is proved, and nothing is said to be.
+    let mut auto =
+        Auto::new(Nowhere { side: 400 }, Settings::default().with_budget(60_000, 50_000));
+    assert_eq!(auto.run(), Outcome::Budget);
+    assert_eq!((auto.why(), auto.value(0)), (Why::Spent, None));
+    assert!(auto.progress().upper > 0.0);
 }
