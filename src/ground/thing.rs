@@ -2,7 +2,7 @@
 //! bounds, whatever they are called, objects their name.
 
 use super::predicate::Class;
-use crate::domain::{Bounds, Color, Door, Object, Room, Shape, Size, State};
+use crate::domain::{Bounds, Color, Door, Object, Room, Shape, State};
 
 /// An entity as one state shows it.
 #[derive(Clone, Copy, Debug)]
@@ -112,11 +112,7 @@ impl<'s> Thing<'s> {
             Thing::Agent { .. } => None,
             Thing::Room(room) => Some(room.bounds.area()),
             Thing::Door(door) => Some(door.bounds.area()),
-            Thing::Object(object) => Some(match object.size {
-                Some(Size::Small) => 1,
-                Some(Size::Large) => 3,
-                Some(Size::Medium) | None => 2,
-            }),
+            Thing::Object(object) => Some(object.magnitude()),
         }
     }
 }
