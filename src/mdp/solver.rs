@@ -11,7 +11,7 @@ pub const DISCOUNT: f64 = 0.99;
 /// When to give up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Budget {
-    /// Most steps: states of which all actions were looked at, however often; for UCT, actions that were tried.
+    /// Most steps: states of which all actions were looked at, however often; for UCT, trials that were begun and actions that were tried.
     pub steps: u64,
     /// Most states to keep: what bounds the memory.
     pub states: usize,

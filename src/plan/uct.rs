@@ -1,7 +1,8 @@
 //! Upper confidence bounds applied to trees (UCT: Kocsis and Szepesvári 2006), any-time: what remains when nothing
 //! can be proved within the budget. A trial goes down by UCB1 over the actions of the states met before; at a new
 //! state it plays on, greedy in the problem's bounds but for some random actions; the reward is counted on the way
-//! back. States met again are the same node, and a trial leaves the tree where it comes round in a circle. Values are averages, not bounds. A step tries an action.
+//! back. States met again are the same node, and a trial leaves the tree where it comes round in a circle. Values are
+//! averages, not bounds. A step begins a trial or tries an action.
 //! Invariant: the same problem and seed give the same tree on every machine.
 
 use super::graph::{Graph, Id};
@@ -275,7 +276,7 @@ impl<P: Mdp> Solver<P::State, P::Action> for Uct<P> {
         "uct"
     }
 
-    /// A step tries an action; the last trial is always brought to its end, which takes some hundred steps at most.
+    /// A step begins a trial or tries an action; the last trial is always brought to its end, which takes some hundred steps at most.
     fn step(&mut self, n: usize) -> Option<Outcome> {
         let most = self.steps.saturating_add(n as u64).min(self.settings.budget.steps);
         while self.outcome.is_none() && self.steps < most {
