@@ -5,7 +5,6 @@
 use super::chart::Lexical;
 use super::lexicon::EntryId;
 use super::model::Model;
-use super::syntax::SyntaxId;
 
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -22,10 +21,7 @@ pub enum Leniency {
 pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
     let empty = |word: &String| {
         let entries = model.lexicon.entries_for_word(word);
-        entries
-            .iter()
-            .copied()
-            .find(|&entry| model.lexicon.category(entry).syntax == SyntaxId::EMPTY)
+        entries.iter().copied().find(|&entry| model.lexicon.is_empty_entry(entry))
     };
     words.iter().map(empty).collect()
 }

@@ -137,6 +137,21 @@ impl Lexicon {
         self.entries[id.0 as usize].origin
     }
 
+    /// Whether an entry is no part of the lexicon yet.
+    pub fn is_candidate(&self, id: EntryId) -> bool {
+        self.origin(id) == Origin::Candidate
+    }
+
+    /// Whether an entry says that its words mean nothing.
+    pub fn is_empty_entry(&self, id: EntryId) -> bool {
+        self.is_empty_template(self.entry(id).template)
+    }
+
+    /// Whether a template is that of words without meaning.
+    pub fn is_empty_template(&self, id: TemplateId) -> bool {
+        self.template(id).syntax == SyntaxId::EMPTY
+    }
+
     /// All templates, in the order they came.
     pub fn templates(&self) -> impl Iterator<Item = (TemplateId, &Template)> {
         (0..).map(TemplateId).zip(&self.templates)
@@ -181,9 +196,8 @@ impl Lexicon {
     pub fn has_content(&self, word: &str) -> bool {
         let entries = self.entries_for_word(word);
         let lexeme = |id: EntryId| self.lexeme(self.entry(id).lexeme);
-        let is_empty =
-            |id: EntryId| self.template(self.entry(id).template).syntax == SyntaxId::EMPTY;
-        let may_be_empty = |&id: &EntryId| is_empty(id) && self.origin(id) == Origin::Seed;
+        let may_be_empty =
+            |&id: &EntryId| self.is_empty_entry(id) && self.origin(id) == Origin::Seed;
         entries.iter().any(|&id| !lexeme(id).constants.is_empty())
             && !entries.iter().any(may_be_empty)
     }

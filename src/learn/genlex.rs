@@ -70,7 +70,7 @@ pub fn generate(
             let lexeme = Lexeme { words: words.clone(), constants: constants.into() };
             let added = model.lexicon.add(&mut model.grammar, lexeme, template, Origin::Candidate);
             if let Ok(entry) = added
-                && model.lexicon.origin(entry) == Origin::Candidate
+                && model.lexicon.is_candidate(entry)
             {
                 generated.candidates.push(Candidate { start, end, entry });
             }
@@ -82,7 +82,7 @@ pub fn generate(
 /// For every word the entry by which it means nothing, a candidate where the lexicon has none and it may.
 fn empty_candidates(model: &mut Model, words: &[String]) -> Vec<Option<EntryId>> {
     let known = empty_entries(model, words);
-    let is_empty = |id: &TemplateId| model.lexicon.template(*id).syntax == SyntaxId::EMPTY;
+    let is_empty = |&id: &TemplateId| model.lexicon.is_empty_template(id);
     let Some(template) = model.lexicon.open.keys().copied().find(is_empty) else { return known };
     let mut candidates = Vec::with_capacity(words.len());
     for (word, known) in words.iter().zip(known) {
@@ -100,9 +100,8 @@ fn add(model: &mut Model, word: &str, template: TemplateId) -> Option<EntryId> {
 
 /// Every template with placeholders in its holes; the empty one is no category.
 fn coarse_categories(model: &mut Model) -> Vec<(TemplateId, Category)> {
-    let is_empty = |&id: &TemplateId| model.lexicon.template(id).syntax == SyntaxId::EMPTY;
     let open = model.lexicon.open.keys().copied();
-    let ids: Vec<TemplateId> = open.filter(|id| !is_empty(id)).collect();
+    let ids: Vec<TemplateId> = open.filter(|&id| !model.lexicon.is_empty_template(id)).collect();
     let mut coarse = Vec::with_capacity(ids.len());
     for id in ids {
         let holes = model.lexicon.holes(&model.grammar, id);

@@ -38,9 +38,7 @@ pub fn novelty(model: &Model, span: &[String]) -> Novelty {
 /// The seed entries by which a word alone means something.
 fn seed_meanings(model: &Model, word: &str) -> impl Iterator<Item = EntryId> {
     let lexicon = &model.lexicon;
-    let means = |id: &EntryId| {
-        lexicon.origin(*id) == Origin::Seed && lexicon.category(*id).syntax != SyntaxId::EMPTY
-    };
+    let means = |id: &EntryId| lexicon.origin(*id) == Origin::Seed && !lexicon.is_empty_entry(*id);
     lexicon.entries_for_word(word).iter().copied().filter(means)
 }
 

@@ -326,7 +326,7 @@ impl Trainer {
         }
         let config = chart_config(self.config.lexical_beam, self.config.lexical_budget);
         let generated = generate(&mut self.model, words, scope, config);
-        let is_new = |id: &EntryId| self.model.lexicon.origin(*id) == Origin::Candidate;
+        let is_new = |&id: &EntryId| self.model.lexicon.is_candidate(id);
         if generated.candidates.is_empty() && !generated.empty.iter().flatten().any(is_new) {
             return;
         }
@@ -338,8 +338,7 @@ impl Trainer {
             let empty = derivation.absorbed().into_iter().filter_map(|at| generated.empty[at]);
             let entries =
                 derivation.leaves().into_iter().filter_map(Derivation::entry).chain(empty);
-            let new = |entry: &EntryId| lexicon.origin(*entry) == Origin::Candidate;
-            additions.push(entries.filter(new).collect());
+            additions.push(entries.filter(|&entry| lexicon.is_candidate(entry)).collect());
         }
         // Of readings that explain the demonstrations equally well, the one that asks for least is believed.
         if let Some(fewest) = additions.iter().min_by_key(|entries| entries.len()) {
