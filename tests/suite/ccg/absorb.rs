@@ -1,6 +1,7 @@
 //! Words that mean nothing: absorbed in one way each, held against leaving them out; what is skipped beyond them; and
 //! what it is scored by.
 
+use super::brute::NORMAL_FORM;
 use super::chart::{WITHOUT_END, weighted};
 use super::{AMBIGUOUS, brute, model_over};
 use groundling::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
@@ -36,7 +37,7 @@ fn goals_without(model: &mut Model, words: &[String]) -> BTreeMap<String, f64> {
         let items: Vec<Lexical> = whole
             .map(|item| Lexical { start: place(item.start), end: place(item.end), ..*item })
             .collect();
-        for (form, score) in brute::goals(model, place(words.len()), &items, true) {
+        for (form, score) in brute::goals(model, place(words.len()), &items, NORMAL_FORM) {
             let known = best.entry(form).or_insert(f64::NEG_INFINITY);
             *known = known.max(score + cost);
         }

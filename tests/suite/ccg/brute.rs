@@ -2,8 +2,8 @@
 
 use groundling::ccg::combinator::Made;
 use groundling::ccg::features::root_features;
-use groundling::ccg::{Category, Feature, Lexical, Model};
-use groundling::logic::{print, ty};
+use groundling::ccg::{Category, Feature, Lexical, Model, RuleId};
+use groundling::logic::{TermId, print, ty};
 use std::collections::BTreeMap;
 
 /// One derivation of a span.
@@ -14,16 +14,27 @@ struct Derived {
     score: f64,
 }
 
-/// The goals of a sentence, printed, each with the best score of its derivations. `normal_form` says whether only
-/// Eisner's derivations count or all of them.
+/// Which derivations count.
+#[derive(Clone, Copy)]
+pub(super) struct Admitted {
+    /// Only Eisner's, or all of them.
+    pub(super) normal_form: bool,
+    /// Also those in which a functor adds nothing to its argument.
+    pub(super) vacuous: bool,
+}
+
+/// What a chart admits.
+pub(super) const NORMAL_FORM: Admitted = Admitted { normal_form: true, vacuous: false };
+
+/// The goals of a sentence, printed, each with the best score of its derivations.
 pub(super) fn goals(
     model: &mut Model,
     n_words: usize,
     lexical: &[Lexical],
-    normal_form: bool,
+    admitted: Admitted,
 ) -> BTreeMap<String, f64> {
     let mut best: BTreeMap<String, f64> = BTreeMap::new();
-    for found in derive(model, lexical, (0, n_words), normal_form) {
+    for found in derive(model, lexical, (0, n_words), admitted) {
         let Category { syntax, meaning } = found.category;
         if model.grammar.syntaxes.text(syntax) == "S"
             && model.grammar.terms.ty(meaning) == ty::TRUTH
@@ -39,7 +50,7 @@ pub(super) fn goals(
 
 /// How many derivations in normal form the goals of a sentence have together.
 pub(super) fn derivations(model: &mut Model, n_words: usize, lexical: &[Lexical]) -> usize {
-    let found = derive(model, lexical, (0, n_words), true);
+    let found = derive(model, lexical, (0, n_words), NORMAL_FORM);
     let is_goal = |found: &&Derived| {
         let Category { syntax, meaning } = found.category;
         model.grammar.syntaxes.text(syntax) == "S" && model.grammar.terms.ty(meaning) == ty::TRUTH
@@ -51,7 +62,7 @@ fn derive(
     model: &mut Model,
     lexical: &[Lexical],
     (start, end): (usize, usize),
-    normal_form: bool,
+    admitted: Admitted,
 ) -> Vec<Derived> {
     let items = lexical.iter().filter(|item| (item.start, item.end) == (start, end));
     let mut found: Vec<Derived> = items
@@ -59,18 +70,19 @@ fn derive(
         .filter(|found| model.grammar.fits(found.category.meaning))
         .collect();
     for split in start + 1..end {
-        let lefts = derive(model, lexical, (start, split), normal_form);
-        let rights = derive(model, lexical, (split, end), normal_form);
+        let lefts = derive(model, lexical, (start, split), admitted);
+        let rights = derive(model, lexical, (split, end), admitted);
         for (l, r) in lefts.iter().flat_map(|l| rights.iter().map(move |r| (l, r))) {
             let rows = model.grammar.rows(l.category.syntax, r.category.syntax).to_vec();
             for (rule, syntax) in rows {
                 let meanings = (l.category.meaning, r.category.meaning);
-                let combined = model.grammar.combine(rule, meanings.0, meanings.1, false);
+                let combined =
+                    model.grammar.combine(rule, meanings.0, meanings.1, admitted.vacuous);
                 if let Some(meaning) = combined
                     && model.grammar.fits(meaning)
-                    && (!normal_form || rule.admits(l.made, r.made))
+                    && (!admitted.normal_form || rule.admits(l.made, r.made))
                 {
-                    let own = model.features.value(Feature::Rule(rule));
+                    let own = step(model, rule, &[meanings.0, meanings.1], meaning);
                     let score = l.score + r.score + own;
                     let category = Category { syntax, meaning };
                     found.push(Derived { category, made: rule.makes(), score });
@@ -83,9 +95,16 @@ fn derive(
             if !model.grammar.fits(category.meaning) {
                 continue;
             }
-            let score = base.score + model.features.value(Feature::Rule(rule));
+            let own = step(model, rule, &[base.category.meaning], category.meaning);
+            let score = base.score + own;
             found.push(Derived { category, made: Made::ByShift, score });
         }
     }
     found
+}
+
+/// What a step adds to the score: its rule, and what it leaves out.
+fn step(model: &Model, rule: RuleId, parts: &[TermId], whole: TermId) -> f64 {
+    let lost = f64::from(model.grammar.lost(parts, whole));
+    model.features.value(Feature::Rule(rule)) + lost * model.features.value(Feature::Lost)
 }
