@@ -4,7 +4,7 @@
 
 use super::category::Category;
 use super::syntax::{Atom, Direction, SyntaxId, Syntaxes};
-use crate::logic::{ConstantId, LogicError, Sorts, TermId, Terms, ty};
+use crate::logic::{ConstantId, Expression, LogicError, Sorts, TermId, Terms, ty};
 use rustc_hash::FxHashMap;
 
 /// A row of [`RULES`], or after those a shift of the grammar's.
@@ -17,6 +17,8 @@ pub struct Rule {
     pub name: &'static str,
     syntax: fn(&mut Syntaxes, SyntaxId, SyntaxId) -> Option<SyntaxId>,
     meaning: fn(&mut Terms, TermId, TermId) -> Result<TermId, LogicError>,
+    /// What the meaning is before it is reduced.
+    written: fn(Expression, Expression) -> Expression,
     /// The neighbour that is the functor.
     functor: Side,
     /// How what comes out may not be used at once (Eisner 1996).
@@ -56,6 +58,9 @@ pub enum Made {
     ByShift,
 }
 
+/// The variable of the binder around. The parts are closed, so that nothing needs raising below a new binder.
+const HERE: Expression = Expression::Variable(0);
+
 /// The binary rules. The order is the order of ties.
 pub const RULES: &[Rule] = &[
     Rule {
@@ -65,6 +70,7 @@ pub const RULES: &[Rule] = &[
             (argument == right).then_some(result)
         },
         meaning: |terms, left, right| terms.apply(left, right),
+        written: |left, right| left.applied(vec![right]),
         functor: Side::Left,
         made: Made::Plainly,
     },
@@ -75,6 +81,7 @@ pub const RULES: &[Rule] = &[
             (argument == left).then_some(result)
         },
         meaning: |terms, left, right| terms.apply(right, left),
+        written: |left, right| right.applied(vec![left]),
         functor: Side::Right,
         made: Made::Plainly,
     },
@@ -86,6 +93,7 @@ pub const RULES: &[Rule] = &[
             (middle == inner).then(|| all.slash(result, Direction::Right, argument))
         },
         meaning: |terms, left, right| terms.compose(left, right),
+        written: |left, right| left.applied(vec![right.applied(vec![HERE])]).lambda(),
         functor: Side::Left,
         made: Made::ByForwardComposition,
     },
@@ -97,6 +105,7 @@ pub const RULES: &[Rule] = &[
             (middle == inner).then(|| all.slash(result, Direction::Left, argument))
         },
         meaning: |terms, left, right| terms.compose(right, left),
+        written: |left, right| right.applied(vec![left.applied(vec![HERE])]).lambda(),
         functor: Side::Right,
         made: Made::ByBackwardComposition,
     },
@@ -108,6 +117,7 @@ pub const RULES: &[Rule] = &[
             (subject == left).then(|| all.slash(result, Direction::Right, argument))
         },
         meaning: raised_composition,
+        written: |left, right| right.applied(vec![HERE, left]).lambda(),
         functor: Side::Neither,
         made: Made::Plainly,
     },
@@ -119,6 +129,10 @@ pub const RULES: &[Rule] = &[
             (clause && all.is(left, Atom::N)).then_some(left)
         },
         meaning: conjoin_properties,
+        written: |left, right| {
+            let both = [left, right].map(|property| property.applied(vec![HERE]));
+            Expression::Name("and".into()).applied(both.into()).lambda()
+        },
         functor: Side::Neither,
         made: Made::Plainly,
     },
@@ -197,6 +211,36 @@ impl Grammar {
         (allow_vacuous || !vacuous).then_some(meaning)
     }
 
+    /// What any rule, a shift too, makes of the meanings of its parts; `None` when they do not fit or the result would
+    /// be too large.
+    pub fn meaning(&mut self, rule: RuleId, parts: &[TermId]) -> Option<TermId> {
+        match *parts {
+            [left, right] => self.combine(rule, left, right, true),
+            [part] => {
+                let shift = self.shift(rule)?.meaning;
+                self.terms.apply(shift, part).ok()
+            }
+            _ => None,
+        }
+    }
+
+    /// The same, written down before it is reduced.
+    pub fn written(&self, rule: RuleId, parts: &[TermId]) -> Option<Expression> {
+        let of = |term: TermId| Expression::of(&self.terms, term);
+        match *parts {
+            [left, right] => {
+                let rule = RULES.get(usize::from(rule.0))?;
+                Some((rule.written)(of(left), of(right)))
+            }
+            [part] => Some(of(self.shift(rule)?.meaning).applied(vec![of(part)])),
+            _ => None,
+        }
+    }
+
+    fn shift(&self, rule: RuleId) -> Option<&Shift> {
+        self.shifts.get(usize::from(rule.0).checked_sub(RULES.len())?)
+    }
+
     /// Whether a meaning could be about something.
     pub fn fits(&mut self, meaning: TermId) -> bool {
         self.sorts.fit(&self.terms, meaning)
@@ -228,10 +272,9 @@ impl Grammar {
 
     /// A rule's name.
     pub fn rule_name(&self, rule: RuleId) -> &str {
-        let row = usize::from(rule.0);
-        match RULES.get(row) {
+        match RULES.get(usize::from(rule.0)) {
             Some(rule) => rule.name,
-            None => self.shifts.get(row - RULES.len()).map_or("", |shift| &shift.name),
+            None => self.shift(rule).map_or("", |shift| &shift.name),
         }
     }
 

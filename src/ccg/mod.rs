@@ -16,6 +16,7 @@ pub mod absorb;
 mod spelling;
 pub mod parse;
 pub mod derivation;
+pub mod trace;
 pub mod explain;
 
 pub use category::Category;
@@ -28,5 +29,6 @@ pub use lexicon::{EntryId, Hole, LexemeId, Lexicon, Origin, TemplateId};
 pub use model::Model;
 pub use parse::{Parse, Reading, Reason, parse};
 pub use sentence::{MAX_WORDS, words};
-pub use spelling::heard;
+pub use spelling::{alike, heard};
 pub use syntax::{Atom, Direction, Syntax, SyntaxId, Syntaxes};
+pub use trace::{Trace, Traced};

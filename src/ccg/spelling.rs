@@ -28,3 +28,18 @@ fn nearest<'a>(lexicon: &'a Lexicon, word: &str) -> Option<&'a str> {
     });
     near.min().map(|(_, known)| known)
 }
+
+/// Up to `most` known words that are spelt somewhat like an unknown one, nearest first: less alike than what is heard
+/// without asking, to be offered to whoever wrote it.
+pub fn alike(lexicon: &Lexicon, word: &str, most: usize) -> Vec<String> {
+    let length = word.chars().count();
+    let bound = 1 + length / SHORTEST;
+    let mut near: Vec<(usize, &str)> = lexicon
+        .vocabulary()
+        .map(|known| (strsim::damerau_levenshtein(word, known), known))
+        .filter(|&(distance, known)| distance <= bound && distance < known.chars().count())
+        .filter(|_| length >= 2)
+        .collect();
+    near.sort_unstable();
+    near.into_iter().take(most).map(|(_, known)| known.to_owned()).collect()
+}

@@ -6,11 +6,17 @@ pub mod signature;
 pub mod term;
 mod reduce;
 pub mod read;
+pub mod expression;
 pub mod print;
+pub mod mark;
+pub mod steps;
 
+pub use expression::Expression;
+pub use mark::Marks;
 pub use print::{print, print_human};
 pub use read::{ReadError, read};
 pub use signature::Signature;
 pub use sort::Sorts;
+pub use steps::steps;
 pub use term::{ConstantId, LogicError, Node, TermId, Terms};
 pub use ty::{TyId, Type, Types};
