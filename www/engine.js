@@ -5,5 +5,5 @@ try {
   await start();
 } catch (error) {
   const message = `The engine could not be started. ${error}`;
-  postMessage(JSON.stringify({ groundling: 4, id: 0, body: { crashed: { message } } }));
+  postMessage(JSON.stringify({ groundling: 5, id: 0, body: { crashed: { message } } }));
 }

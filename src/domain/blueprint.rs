@@ -12,6 +12,7 @@ use super::rules::Rules;
 use super::state::State;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 
 /// How rooms lie.
@@ -29,7 +30,7 @@ pub enum Style {
 named!(Style, "style", Cuts "cuts" 'c', Rows "rows" 'r', Hall "hall" 'h');
 
 /// The world to build. The default is the smallest kind of the corpora's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Blueprint {
     /// How rooms lie.
     pub style: Style,

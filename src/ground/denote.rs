@@ -23,7 +23,7 @@ pub enum Failure {
     /// There is a single candidate, and comparing takes two.
     Single(Entity),
     /// The candidates are of several kinds, or have no size: they cannot be compared.
-    Mixed,
+    Mixed(Vec<Entity>),
     /// A phrase inside it has no referent, or the variable it hangs on stands for nothing here.
     Inner,
 }
@@ -99,10 +99,10 @@ impl<'a> Denotation<'a> {
         }
         let class = |at: &usize| self.things.get(*at).map(|thing| thing.class());
         if candidates.windows(2).any(|two| two.first().map(class) != two.last().map(class)) {
-            return Err(Failure::Mixed);
+            return Err(Failure::Mixed(self.entities(candidates)));
         }
         let Node::Lambda { body, .. } = self.terms.node(measure) else {
-            return Err(Failure::Mixed);
+            return Err(Failure::Mixed(self.entities(candidates)));
         };
         let mut best: Vec<usize> = Vec::new();
         let mut most = i64::MIN;
@@ -110,7 +110,9 @@ impl<'a> Denotation<'a> {
             env.push(Some(at));
             let value = self.number(body, env);
             env.pop();
-            let value = sign * value.ok_or(Failure::Mixed)?;
+            let Some(value) = value.map(|value| sign * value) else {
+                return Err(Failure::Mixed(self.entities(candidates)));
+            };
             if value > most {
                 best.clear();
                 most = value;

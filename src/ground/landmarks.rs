@@ -12,32 +12,61 @@ impl Goal {
     /// are landmarks: put this into [`Rules::movable`](crate::domain::Rules::movable) to have them stay.
     #[must_use]
     pub fn movable(&self, initial: &State) -> Movable {
-        let mut reader = Reader { things: Thing::all(initial), initial, movable: Movable::NONE };
-        reader.read(self.formula());
-        reader.movable
+        let reader = Reader::of(self, initial);
+        let object = |name: &str| initial.objects.iter().position(|o| o.name == name);
+        let objects = reader.asked.iter().filter_map(|entity| match entity {
+            Entity::Object(name) => object(name),
+            _ => None,
+        });
+        objects.fold(Movable::NONE, Movable::with)
+    }
+
+    /// The one thing that the goal says to move: an object as in [`Goal::movable`], or the robot; where it only says
+    /// what shall not be, the one thing of which it says so. `None` when there are several, or there is none.
+    #[must_use]
+    pub fn mover(&self, initial: &State) -> Option<Entity> {
+        let Reader { asked, denied, .. } = Reader::of(self, initial);
+        match if asked.is_empty() { &denied[..] } else { &asked[..] } {
+            [only] => Some((*only).clone()),
+            _ => None,
+        }
     }
 }
 
-struct Reader<'s> {
+struct Reader<'s, 'f> {
     things: Vec<Thing<'s>>,
-    initial: &'s State,
-    movable: Movable,
+    /// What comes first in relations that shall be, and in those that shall not: the robot and objects, each once.
+    asked: Vec<&'f Entity>,
+    denied: Vec<&'f Entity>,
 }
 
-impl Reader<'_> {
-    fn read(&mut self, formula: &Formula) {
-        if !self.can_hold(formula) {
+impl<'s, 'f> Reader<'s, 'f> {
+    fn of(goal: &'f Goal, initial: &'s State) -> Self {
+        let mut reader =
+            Reader { things: Thing::all(initial), asked: Vec::new(), denied: Vec::new() };
+        reader.read(goal.formula(), true);
+        reader
+    }
+
+    fn read(&mut self, formula: &'f Formula, positive: bool) {
+        if if positive { !self.can_hold(formula) } else { self.must_hold(formula) } {
             return;
         }
         match formula {
-            Formula::And(parts) | Formula::Or(parts) => parts.iter().for_each(|p| self.read(p)),
-            Formula::Exists { known, .. } => known.iter().for_each(|k| self.read(&k.1)),
-            Formula::Relation(relation, Entity::Object(name), _) if *relation != Relation::Eq => {
-                if let Some(index) = self.initial.objects.iter().position(|o| o.name == *name) {
-                    self.movable = self.movable.with(index);
+            Formula::And(parts) | Formula::Or(parts) => {
+                parts.iter().for_each(|part| self.read(part, positive));
+            }
+            Formula::Exists { known, .. } => known.iter().for_each(|k| self.read(&k.1, positive)),
+            Formula::Not(part) => self.read(part, !positive),
+            Formula::Relation(relation, first @ (Entity::Agent | Entity::Object(_)), _)
+                if *relation != Relation::Eq =>
+            {
+                let list = if positive { &mut self.asked } else { &mut self.denied };
+                if !list.contains(&first) {
+                    list.push(first);
                 }
             }
-            Formula::Relation(..) | Formula::Property(..) | Formula::Not(_) => {}
+            Formula::Relation(..) | Formula::Property(..) => {}
         }
     }
 

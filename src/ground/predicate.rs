@@ -71,6 +71,18 @@ pub struct Predicate {
     pub meaning: Meaning,
 }
 
+impl Class {
+    /// Its constant's name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Class::Agent => "agent",
+            Class::Room => "room",
+            Class::Door => "door",
+            Class::Object => "object",
+        }
+    }
+}
+
 impl Property {
     /// How many there are: [`Property::index`] is below.
     pub const COUNT: usize = 19;
@@ -142,8 +154,8 @@ const fn property(name: &'static str, property: Property) -> Predicate {
     Predicate { name, ty: "<e,t>", meaning: Meaning::Property(property) }
 }
 
-const fn class(name: &'static str, class: Class) -> Predicate {
-    property(name, Property::Class(class))
+const fn class(class: Class) -> Predicate {
+    property(class.name(), Property::Class(class))
 }
 
 const fn shape(shape: Shape) -> Predicate {
@@ -164,10 +176,10 @@ const fn other(name: &'static str, ty: &'static str, meaning: Meaning) -> Predic
 
 /// The table: every constant that a goal may hold.
 pub const PREDICATES: [Predicate; 34] = [
-    class("agent", Class::Agent),
-    class("room", Class::Room),
-    class("door", Class::Door),
-    class("object", Class::Object),
+    class(Class::Agent),
+    class(Class::Room),
+    class(Class::Door),
+    class(Class::Object),
     shape(Shape::Chair),
     shape(Shape::Basket),
     shape(Shape::Block),

@@ -5,6 +5,7 @@
 
 use super::{AStar, Lrtdp, Uct, ValueIteration};
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Most states that are numbered at once: a few milliseconds natively, for a plan should seem to be there at once.
@@ -79,7 +80,8 @@ impl<P: Mdp> Solver<P::State, P::Action> for AnySolver<P> {
 }
 
 /// Why a solver was chosen; its `Display` says so to a person.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Why {
     /// Every action met so far has one outcome.
     Sure,

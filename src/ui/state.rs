@@ -337,7 +337,7 @@ fn finished(state: &mut State, request: Request, event: Event, effects: &mut Vec
                 corpus.pairs.insert(row, Rc::new(pairs));
             }
         }
-        (Event::Trained(report), request) => {
+        (Event::Trained(report) | Event::Opened(report), request) => {
             let corpus = state.corpus.as_ref().map(|c| c.report.name.clone());
             let before = state.model.take().filter(|m| m.report.model == report.model);
             let origin = match (request, before) {
@@ -397,6 +397,9 @@ fn refused(state: &mut State, request: Request, message: String) {
         | Request::Values { .. }
         | Request::RollOut { .. }
         | Request::Explain { .. }
+        | Request::Draw { .. }
+        | Request::ReadWorld { .. }
+        | Request::WriteWorld { .. }
         | Request::Experiment { .. }
         | Request::Ping
         | Request::Cancel => {}

@@ -1,6 +1,6 @@
 //! Why a command came to nothing, in plain words: what is wrong, and what to do about it.
 
-use crate::worker::protocol::Answer;
+use crate::worker::protocol::{Answer, Fate, Phrase, Refers};
 
 /// One thing that is wrong, or worth knowing.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,10 +24,12 @@ pub fn explain(answer: &Answer) -> Vec<Message> {
     messages.extend(answer.reason.as_deref().map(|reason| parsing(reason, answer)));
     messages.extend(skipping(answer));
     let Some(best) = answer.readings.first() else { return messages };
-    for failure in &best.failures {
+    let failing = |phrase: &&Phrase| !matches!(phrase.refers, Refers::One | Refers::Inner);
+    let failures: Vec<&Phrase> = best.phrases.iter().filter(failing).collect();
+    for failure in &failures {
         messages.push(message(
             "no_referent",
-            failure.clone(),
+            fails(failure, answer),
             "Name something that is in the room picture, and name it so that only one thing fits.",
         ));
     }
@@ -39,7 +41,7 @@ pub fn explain(answer: &Answer) -> Vec<Message> {
         )),
         None => {}
         Some(plan) => match plan.reason.as_deref() {
-            Some("no_referent") if !best.failures.is_empty() => {}
+            Some("no_referent") if !failures.is_empty() => {}
             Some(reason) => messages.push(planning(reason)),
             None if plan.actions.is_empty() => messages.push(message(
                 "already_true",
@@ -54,8 +56,10 @@ pub fn explain(answer: &Answer) -> Vec<Message> {
 
 /// Words that were left out, so that the rest could be understood: never seen ones first.
 fn skipping(answer: &Answer) -> Vec<Message> {
-    let (unknown, known): (Vec<String>, Vec<String>) =
-        answer.skipped.iter().cloned().partition(|word| answer.unknown.contains(word));
+    if answer.readings.is_empty() {
+        return Vec::new();
+    }
+    let (unknown, known) = (of_fate(answer, Fate::Unknown), of_fate(answer, Fate::Skipped));
     let fix = "See whether the meaning below is still what you meant.";
     let left_out = |kind, what: &str, words: &[String]| {
         (!words.is_empty()).then(|| message(kind, format!("{what}: {}.", quoted(words)), fix))
@@ -79,7 +83,7 @@ fn parsing(reason: &str, answer: &Answer) -> Message {
         ),
         "unknown_words" => message(
             "unknown_words",
-            format!("Never seen in training: {}.", quoted(&answer.unknown)),
+            format!("Never seen in training: {}.", quoted(&of_fate(answer, Fate::Unknown))),
             "Use other words, or train on a corpus whose commands hold these.",
         ),
         "no_parse" => message(
@@ -129,6 +133,25 @@ fn planning(reason: &str) -> Message {
         ),
         other => message("other", format!("There is no plan ({other})."), "Say it in another way."),
     }
+}
+
+/// Why a phrase names no single thing.
+fn fails(phrase: &Phrase, answer: &Answer) -> String {
+    let words = phrase.words.iter().filter_map(|&at| answer.words.get(at));
+    let words: Vec<&str> = words.map(|word| word.text.as_str()).collect();
+    let said = quoted(&[words.join(" ")]);
+    match phrase.refers {
+        Refers::None => format!("Nothing here is what {said} says."),
+        Refers::Several => format!("{said} fits {} things here.", phrase.referents.len()),
+        Refers::Tie => format!("{said} fits {} things of one size.", phrase.referents.len()),
+        Refers::Single => format!("There is only one thing for {said} to choose from."),
+        _ => format!("The things that {said} speaks of cannot be compared in size."),
+    }
+}
+
+fn of_fate(answer: &Answer, fate: Fate) -> Vec<String> {
+    let words = answer.words.iter().filter(|word| word.fate == fate);
+    words.map(|word| word.text.clone()).collect()
 }
 
 fn quoted(words: &[String]) -> String {

@@ -1,14 +1,11 @@
 //! A command on its way from words to a plan: parse, ground, plan, each in steps.
 
 use super::plan::{Begun, PlanError, Planned, Planning, no_plan};
-use super::protocol::{Answer, PlanProgress, Reading, WorldRules};
-use crate::ccg::{self, ChartConfig, Explanation, Model, Parse, parse};
+use super::protocol::{Answer, PlanProgress, WorldRules};
+use super::read::{reading, shown, words};
+use crate::ccg::{ChartConfig, Model, Parse, parse};
 use crate::domain::State;
-use crate::ground::{Goal, explain};
-use crate::logic::{print, print_human};
-
-/// Readings that an answer shows, unless more are tied for best.
-const MAX_READINGS: usize = 10;
+use crate::ground::Goal;
 
 /// A command being answered.
 pub(super) struct Asking {
@@ -81,41 +78,13 @@ impl Asking {
     }
 
     /// Everything but the plan.
-    fn answer(&self, model: &Model, parse: &Parse) -> Answer {
-        let unknown = parse.words.iter().filter(|word| !model.lexicon.knows(word));
-        let readings = shown(parse).map(|reading| {
-            let terms = &model.grammar.terms;
-            let failures = match explain(terms, reading.form, &self.state) {
-                Ok(found) => found.into_iter().map(|failure| failure.sentence).collect(),
-                Err(error) => vec![error.to_string()],
-            };
-            Reading {
-                form: print(terms, reading.form),
-                human: print_human(terms, reading.form),
-                score: Explanation::of(model, parse, reading).score,
-                derivation: parse.derivation(reading).print(model, &parse.words),
-                failures,
-            }
-        });
+    fn answer(&self, model: &mut Model, parse: &Parse) -> Answer {
         Answer {
             command: self.command.clone(),
-            words: parse.words.clone(),
-            readings: readings.collect(),
-            skipped: parse.skipped.clone(),
-            unknown: unknown.cloned().collect(),
+            words: words(model, parse),
+            readings: shown(parse).map(|one| reading(model, parse, one, &self.state)).collect(),
             reason: parse.reason.map(|reason| reason.name().to_owned()),
             plan: None,
         }
     }
-}
-
-/// The readings that an answer shows.
-fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
-    parse.readings.iter().take(MAX_READINGS.max(parse.tied())).copied()
-}
-
-/// What the scores of the readings that an answer shows are made of.
-pub(super) fn explanations(model: &mut Model, command: &str) -> Vec<Explanation> {
-    let parse = parse(model, command, ChartConfig::of(model));
-    shown(&parse).map(|reading| Explanation::of(model, &parse, reading)).collect()
 }

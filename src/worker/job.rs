@@ -1,14 +1,16 @@
 //! The engine: what it keeps (a corpus, a model) and the one job at work. A job is pumped step by step by whoever
 //! owns the engine: the page's worker, tests and benches alike; a step does a bounded amount of work.
 
-use super::ask::{Asked, Asking, explanations};
+use super::ask::{Asked, Asking};
 use super::experiment;
 use super::plan::{Begun, Planned, Planning};
 use super::protocol::{
     CorpusReport, Event, Experiment, Lesson, MOST_RUNS, MOST_TAUGHT, PairText, Problem, Progress,
     Request, RowSummary, SeedLexicon, TeachReport, TrainReport, TrainSettings, WorldRules,
 };
+use super::read::studies;
 use super::watch::{Rolling, Valuing};
+use super::world;
 use crate::ccg::{EntryText, Model};
 use crate::corpus::{Corpus, Example, Flaw, Form, Options, Pair, Rows};
 use crate::domain::State;
@@ -100,7 +102,10 @@ impl Engine {
             Request::Teach { examples } => self.teach(examples),
             Request::OpenModel { text } => Job::Say(self.open_model(text)),
             Request::Ask { command, state, rules } => match &self.model {
-                Some(_) => Job::Ask(Box::new(Asking::new(command, state, rules))),
+                Some(_) => match state.check() {
+                    Ok(()) => Job::Ask(Box::new(Asking::new(command, state, rules))),
+                    Err(error) => refuse(&error.to_string()),
+                },
                 None => refuse(NO_MODEL),
             },
             Request::Plan { form, state, rules } => plan(&form, &state, &rules),
@@ -119,9 +124,12 @@ impl Engine {
                 None => refuse(NO_PLAN),
             },
             Request::Explain { command } => match &mut self.model {
-                Some(model) => Job::Say(Event::Explained(explanations(model, &command))),
+                Some(model) => Job::Say(Event::Explained(studies(model, &command))),
                 None => refuse(NO_MODEL),
             },
+            Request::Draw { blueprint, seed } => Job::Say(world::draw(&blueprint, seed)),
+            Request::ReadWorld { text } => Job::Say(world::read(&text)),
+            Request::WriteWorld { state } => Job::Say(world::write(&state)),
             Request::Experiment { experiment, settings } => match self.experiments {
                 Some(begin) => {
                     let config = self.config(&settings);
@@ -334,7 +342,7 @@ impl Engine {
             Ok(model) => {
                 let report = train_report(&model, text);
                 self.model = Some(model);
-                Event::Trained(report)
+                Event::Opened(report)
             }
             Err(error) => Event::Refused { message: format!("This is no model file: {error}.") },
         }

@@ -3,6 +3,8 @@
 pub mod protocol;
 mod plan;
 mod watch;
+mod world;
+mod read;
 mod ask;
 mod experiment;
 pub mod job;

@@ -204,7 +204,7 @@ fn progress(solver: &Auto<Problem>) -> PlanProgress {
     let progress = solver.progress();
     PlanProgress {
         solver: solver.name().to_owned(),
-        why: solver.why().to_string(),
+        why: solver.why(),
         states: progress.states,
         steps: progress.steps,
         residual: if progress.residual.is_finite() { progress.residual } else { 0.0 },

@@ -122,5 +122,5 @@ fn the_engine_explains_the_readings_that_it_shows() {
     engine.start(3, Request::Explain { command: COMMANDS[0].to_owned() });
     let Some((3, Event::Explained(readings))) = engine.step() else { panic!("no explanation") };
     assert!(!readings.is_empty() && readings.len() <= 10);
-    assert!(readings[0].score >= readings[readings.len() - 1].score);
+    assert!(readings[0].explanation.score >= readings[readings.len() - 1].explanation.score);
 }

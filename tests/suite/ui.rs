@@ -9,8 +9,9 @@ use groundling::ui::state::{SETTINGS, State, reduce};
 use groundling::ui::world::WORLDS;
 use groundling::ui::{describe, why};
 use groundling::worker::protocol::{
-    Answer, CorpusReport, Envelope, Event, PairText, PlanText, Problem, Progress, Reading, Request,
-    RowSummary, SeedLexicon, TrainReport, VERSION,
+    Answer, Claim, CorpusReport, Envelope, Event, Fate, Noun, PairText, Phrase, Piece, PlanText,
+    Problem, Progress, Reading, Refers, Request, RowSummary, SeedLexicon, TrainReport, VERSION,
+    Word,
 };
 
 /// A page and the engine's side of the talk: what was posted and not yet answered.
@@ -104,10 +105,13 @@ fn pair() -> PairText {
 fn reading() -> Reading {
     Reading {
         form: "(f:t)".to_owned(),
-        human: "f".to_owned(),
+        formula: vec![Piece { text: "f".to_owned(), words: None }],
+        claim: Claim::Formula("f".to_owned()),
         score: 1.0,
+        nodes: Vec::new(),
         derivation: String::new(),
-        failures: Vec::new(),
+        phrases: Vec::new(),
+        cells: Vec::new(),
     }
 }
 
@@ -129,13 +133,15 @@ fn plan(from: &World, steps: i32) -> PlanText {
     }
 }
 
+fn word(text: &str, fate: Fate) -> Word {
+    Word { text: text.to_owned(), heard: None, fate, near: Vec::new() }
+}
+
 fn understood(plan: Option<PlanText>) -> Answer {
     Answer {
         command: "go".to_owned(),
-        words: vec!["go".to_owned()],
+        words: vec![word("go", Fate::Meant)],
         readings: vec![reading()],
-        skipped: Vec::new(),
-        unknown: Vec::new(),
         reason: None,
         plan,
     }
@@ -325,8 +331,13 @@ fn every_failure_says_what_is_wrong_and_what_to_do() {
         work: None,
     };
     let mut no_referent = understood(Some(plan_failed("no_referent")));
-    no_referent.readings[0].failures = vec!["“the red block”: there is none.".to_owned()];
-    let unknown = Answer { unknown: vec!["zebra".to_owned()], ..failed("unknown_words") };
+    no_referent.readings[0].phrases = vec![Phrase {
+        noun: Noun::Formula("the red".to_owned()),
+        words: vec![0],
+        refers: Refers::None,
+        referents: Vec::new(),
+    }];
+    let unknown = Answer { words: vec![word("zebra", Fate::Unknown)], ..failed("unknown_words") };
     let cases = [
         ("empty", failed("empty")),
         ("too_long", failed("too_long")),
@@ -340,12 +351,14 @@ fn every_failure_says_what_is_wrong_and_what_to_do() {
         ("plan_budget", understood(Some(plan_failed("budget")))),
         (
             "skipped",
-            Answer { skipped: vec!["please".to_owned()], ..understood(Some(plan(&world(), 1))) },
+            Answer {
+                words: vec![word("please", Fate::Skipped)],
+                ..understood(Some(plan(&world(), 1)))
+            },
         ),
     ];
     let left_out = Answer {
-        unknown: vec!["purple".to_owned()],
-        skipped: vec!["purple".to_owned(), "please".to_owned()],
+        words: vec![word("purple", Fate::Unknown), word("please", Fate::Skipped)],
         ..understood(Some(plan(&world(), 1)))
     };
     let kinds: Vec<&str> = why::explain(&left_out).iter().map(|m| m.kind).collect();
@@ -355,8 +368,8 @@ fn every_failure_says_what_is_wrong_and_what_to_do() {
         let kinds: Vec<&str> = messages.iter().map(|m| m.kind).collect();
         assert_eq!(kinds, [kind]);
         assert!(messages.iter().all(|m| !m.what.is_empty() && !m.fix.is_empty()));
-        for word in answer.unknown.iter().chain(&answer.skipped) {
-            assert!(messages[0].what.contains(word), "{}", messages[0].what);
+        for word in answer.words.iter().filter(|word| word.fate != Fate::Meant) {
+            assert!(messages[0].what.contains(&word.text), "{}", messages[0].what);
         }
     }
     assert_eq!(why::explain(&understood(Some(plan(&world(), 1)))), []);

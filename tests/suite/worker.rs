@@ -8,6 +8,10 @@ mod experiments;
 mod messages;
 #[path = "worker/plans.rs"]
 mod plans;
+#[path = "worker/readings.rs"]
+mod readings;
+#[path = "worker/worlds.rs"]
+mod worlds;
 
 use crate::learn::{SIX, six};
 use groundling::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};

@@ -1,7 +1,7 @@
 //! What a command was taken to mean: words, meaning, form, score, derivation, and why nothing came of it.
 
 use crate::ui::why;
-use crate::worker::protocol::{Answer, Reading};
+use crate::worker::protocol::{Answer, Fate, Reading};
 use std::rc::Rc;
 use yew::{Html, Properties, component, html};
 
@@ -21,8 +21,8 @@ pub(super) fn AnswerPanel(props: &Props) -> Html {
             if !answer.words.is_empty() {
                 <p class="words" aria-label="The words as it reads them">
                     { for answer.words.iter().map(|word| {
-                        let unknown = answer.unknown.contains(word).then_some("unknown");
-                        html! { <span class={yew::classes!("word", unknown)}>{ word }</span> }
+                        let unknown = (word.fate == Fate::Unknown).then_some("unknown");
+                        html! { <span class={yew::classes!("word", unknown)}>{ &word.text }</span> }
                     }) }
                 </p>
             }
@@ -48,7 +48,7 @@ fn show(reading: &Reading, title: String, first: bool) -> Html {
         <details class="reading" open={first} data-testid="reading">
             <summary>
                 <span class="reading-title">{ title }</span>
-                <span class="human" data-testid="reading-human">{ &reading.human }</span>
+                <span class="human" data-testid="reading-human">{ for reading.formula.iter().map(|p| &p.text) }</span>
                 <span class="score" data-testid="reading-score" title="Score">
                     { format!("score {:.2}", reading.score) }
                 </span>

@@ -5,12 +5,12 @@ use super::learning::{
     TeachReport, TrainReport, TrainSettings,
 };
 use super::planning::{Answer, PlanProgress, PlanText, Runs, ValueMap, WorldRules};
-use crate::ccg::Explanation;
-use crate::domain::State;
+use super::reading::Study;
+use crate::domain::{Blueprint, State};
 use serde::{Deserialize, Serialize};
 
 /// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -51,7 +51,7 @@ pub enum Request {
         /// The examples, at most [`MOST_TAUGHT`](super::MOST_TAUGHT).
         examples: Vec<Lesson>,
     },
-    /// Opens a model file → [`Event::Trained`].
+    /// Opens a model file → [`Event::Opened`].
     OpenModel {
         /// The model file's text.
         text: String,
@@ -89,10 +89,27 @@ pub enum Request {
         /// The seed of what happens.
         seed: u32,
     },
-    /// Says what the scores of a command's readings are made of → [`Event::Explained`].
+    /// Takes the readings of a command apart, for those who study them → [`Event::Explained`].
     Explain {
         /// The command as typed.
         command: String,
+    },
+    /// Draws a world by chance → [`Event::World`].
+    Draw {
+        /// What is wanted.
+        blueprint: Blueprint,
+        /// The seed of the rest.
+        seed: u32,
+    },
+    /// Reads a world that is drawn in characters, or its JSON → [`Event::World`].
+    ReadWorld {
+        /// The text.
+        text: String,
+    },
+    /// Draws a world in characters → [`Event::WorldText`].
+    WriteWorld {
+        /// The world.
+        state: State,
     },
     /// Runs an experiment on the corpus that is kept → [`Event::Experimenting`] after every example, then
     /// [`Event::Experimented`]. Corpus and model stay as they are.
@@ -132,8 +149,10 @@ pub enum Event {
     },
     /// Training has seen one more example.
     Progress(Progress),
-    /// There is a model.
+    /// There is a model that was learned.
     Trained(TrainReport),
+    /// There is a model that was opened.
+    Opened(TrainReport),
     /// The model was taught.
     Taught(Box<TeachReport>),
     /// A command was answered.
@@ -149,7 +168,14 @@ pub enum Event {
     /// All runs have ended.
     RolledOut(Runs),
     /// The readings that an answer shows, in its order.
-    Explained(Vec<Explanation>),
+    Explained(Vec<Study>),
+    /// A world.
+    World(State),
+    /// A world as text.
+    WorldText {
+        /// It is read back by [`Request::ReadWorld`].
+        text: String,
+    },
     /// An experiment has gone on by one example.
     Experimenting(ExperimentProgress),
     /// An experiment is over.

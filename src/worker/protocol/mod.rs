@@ -5,6 +5,7 @@
 mod learning;
 mod message;
 mod planning;
+mod reading;
 
 pub use learning::{
     Confused, CorpusReport, CorpusText, Experiment, ExperimentProgress, ExperimentReport, Figures,
@@ -13,5 +14,11 @@ pub use learning::{
 };
 pub use message::{Envelope, Event, Request, VERSION};
 pub use planning::{
-    Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Reading, Runs, ValueMap, WorldRules,
+    Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
 };
+pub use reading::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Word};
+
+// What comes from further down and crosses as it is.
+pub use crate::ccg::{EntryText, Explanation, Part};
+pub use crate::ground::{Article, Claim, Description, Noun};
+pub use crate::plan::Why;

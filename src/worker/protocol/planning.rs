@@ -1,6 +1,8 @@
 //! What is said of commands, their goals, and what planning makes of these.
 
+use super::reading::{Reading, Word};
 use crate::domain::State;
+use crate::plan::Why;
 use serde::{Deserialize, Serialize};
 
 /// The most runs that a policy is followed.
@@ -42,33 +44,14 @@ impl Default for WorldRules {
 pub struct Answer {
     /// The command as typed.
     pub command: String,
-    /// Its words as the parser sees them.
-    pub words: Vec<String>,
+    /// Its words as the parser took them.
+    pub words: Vec<Word>,
     /// The distinct readings, best first; those tied for best are all there.
     pub readings: Vec<Reading>,
-    /// Words the parser had to skip, if the skipping parse answered.
-    pub skipped: Vec<String>,
-    /// Words of the command that the lexicon has never seen.
-    pub unknown: Vec<String>,
     /// Why there is no single reading, in the command line's words (`empty`, `too_long`, `unknown_words`, `no_parse`, `tie`, `budget`).
     pub reason: Option<String>,
     /// The plan for the best reading, or why there is none.
     pub plan: Option<PlanText>,
-}
-
-/// One reading of a command.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Reading {
-    /// The goal as an s-expression.
-    pub form: String,
-    /// The goal as a person writes logic.
-    pub human: String,
-    /// Its score.
-    pub score: f64,
-    /// Its derivation as text.
-    pub derivation: String,
-    /// Phrases that do not refer in the state given, in words; empty when all do.
-    pub failures: Vec<String>,
 }
 
 /// A plan as the page plays it: what the policy does when things go as the seed has them.
@@ -96,8 +79,8 @@ pub struct PlanText {
 pub struct PlanProgress {
     /// The solver at work, as on the command line.
     pub solver: String,
-    /// Why it was chosen, in words.
-    pub why: String,
+    /// Why it was chosen.
+    pub why: Why,
     /// States kept.
     pub states: usize,
     /// States of which all actions were looked at, counted each time.

@@ -30,7 +30,7 @@ flow('an engine that panics says so, and goes on with what was loaded', async (t
   const model = await demo.model();
   const said = 'panicked at src/ccg/chart.rs: an invented reason';
   await demo.page.evaluate((message) => {
-    const data = JSON.stringify({ groundling: 4, id: 0, body: { crashed: { message } } });
+    const data = JSON.stringify({ groundling: 5, id: 0, body: { crashed: { message } } });
     globalThis.flowWorkers.at(-1).dispatchEvent(new MessageEvent('message', { data }));
   }, said);
   await demo.by('engine-stopped').waitFor();

@@ -6,7 +6,7 @@ use groundling::domain::{Lock, State};
 use groundling::ground::Goal;
 use groundling::logic::{Terms, read};
 use groundling::worker::Engine;
-use groundling::worker::protocol::{Answer, Event, Request, WorldRules};
+use groundling::worker::protocol::{Answer, Event, Fate, Phrase, Refers, Request, WorldRules};
 
 /// A red room with the robot in it, a blue one, and a door between.
 fn world() -> State {
@@ -32,6 +32,10 @@ fn answer(engine: &mut Engine, command: &str, state: &State) -> Answer {
     }
 }
 
+fn fates(answer: &Answer) -> Vec<Fate> {
+    answer.words.iter().map(|word| word.fate).collect()
+}
+
 #[test]
 fn without_a_model_nothing_is_answered() {
     let said = refused(&mut Engine::new(), ask("go to the blue room", &world()));
@@ -44,11 +48,13 @@ fn a_command_is_answered_with_readings_and_a_plan_that_reaches_the_goal() {
     let state = world();
     let answer = answer(&mut engine, "Go to the blue room!", &state);
     assert_eq!(answer.command, "Go to the blue room!");
-    assert_eq!(answer.words, ["go", "to", "the", "blue", "room"]);
-    assert_eq!((answer.reason, answer.skipped, answer.unknown), (None, vec![], vec![]));
+    let words: Vec<(&str, Fate)> = answer.words.iter().map(|w| (&*w.text, w.fate)).collect();
+    assert_eq!(words, ["go", "to", "the", "blue", "room"].map(|word| (word, Fate::Meant)));
+    assert_eq!(answer.reason, None);
     let best = &answer.readings[0];
-    assert_eq!(best.human, "in(the agent, the λx. blue(x) ∧ room(x))");
-    assert!(best.failures.is_empty());
+    let formula: String = best.formula.iter().map(|piece| &*piece.text).collect();
+    assert_eq!(formula, "in(the agent, the λx. blue(x) ∧ room(x))");
+    assert!(best.phrases.iter().all(|phrase| phrase.refers == Refers::One));
     for part in ["go", "blue", "NP/N", "---", "the :="] {
         assert!(best.derivation.contains(part), "no {part} in\n{}", best.derivation);
     }
@@ -81,11 +87,12 @@ fn each_reason_for_no_answer_is_given() {
         assert!(answer.readings.is_empty() && answer.plan.is_none(), "{command:.20}");
     }
     let odd = answer(&mut engine, "xyzzy", &state);
-    assert_eq!(odd.unknown, ["xyzzy"]);
+    assert_eq!(fates(&odd), [Fate::Unknown]);
+    let idle = answer(&mut engine, "the room", &state);
+    assert_eq!(fates(&idle), [Fate::Idle, Fate::Idle]);
     let skipping = answer(&mut engine, "please go to the blue room", &state);
-    assert_eq!((skipping.reason, skipping.skipped), (None, vec!["please".to_owned()]));
-    assert_eq!(skipping.unknown, ["please"]);
-    assert!(skipping.plan.is_some());
+    assert_eq!((&skipping.reason, skipping.plan.is_some()), (&None, true));
+    assert_eq!(fates(&skipping)[..2], [Fate::Unknown, Fate::Meant]);
 }
 
 #[test]
@@ -95,14 +102,15 @@ fn ties_and_spent_budgets_are_told_too() {
         let mut model = model(AMBIGUOUS);
         model.facts.insert("budget".to_owned(), budget.to_owned());
         let event = only(pump(engine, 1, Request::OpenModel { text: model.print() }));
-        assert!(matches!(event, Event::Trained(_)), "{event:?}");
+        assert!(matches!(event, Event::Opened(_)), "{event:?}");
     };
     open(&mut engine, "1000");
     let tie = answer(&mut engine, "go to the room", &world());
     assert_eq!(tie.reason.as_deref(), Some("tie"));
     assert!(tie.readings.len() >= 2 && tie.plan.is_none());
     assert_eq!(tie.readings[0].score, tie.readings[1].score);
-    assert!(!tie.readings[0].failures.is_empty(), "two rooms: `the room` does not refer");
+    let lost = |phrase: &Phrase| phrase.refers == Refers::Several && phrase.referents.len() == 2;
+    assert!(tie.readings[0].phrases.iter().any(lost), "two rooms: `the room` does not refer");
     open(&mut engine, "1");
     let spent = answer(&mut engine, "go to the room", &world());
     assert_eq!(spent.reason.as_deref(), Some("budget"));
@@ -114,7 +122,8 @@ fn a_goal_may_be_true_lost_or_out_of_reach() {
     let at_home = answer(&mut engine, "go to the red room", &world()).plan.unwrap();
     assert_eq!((at_home.reason, at_home.actions.len(), at_home.states.len()), (None, 0, 1));
     let lost = answer(&mut engine, "go to the green room", &world());
-    assert_eq!(lost.readings[0].failures.len(), 1, "{:?}", lost.readings[0].failures);
+    let refers: Vec<Refers> = lost.readings[0].phrases.iter().map(|p| p.refers).collect();
+    assert_eq!(refers, [Refers::One, Refers::None]);
     let plan = lost.plan.unwrap();
     assert_eq!(plan.reason.as_deref(), Some("no_referent"));
     assert_eq!((plan.actions.len(), &plan.states[..]), (0, &[world()][..]));
@@ -161,7 +170,7 @@ fn what_is_cancelled_leaves_the_old_model_in_place() {
     // The file that was kept brings the same engine back.
     let mut other = Engine::new();
     let event = only(pump(&mut other, 1, Request::OpenModel { text: text.clone() }));
-    let Event::Trained(report) = event else { panic!("{event:?}") };
+    let Event::Opened(report) = event else { panic!("{event:?}") };
     assert!(report.model == text && report.examples == 6);
     assert_eq!(answer(&mut other, "go to the blue room", &world()), before);
     // So does a corpus that is read again: it is not the model's affair.

@@ -110,7 +110,8 @@ fn the_demonstration_ends_in_the_blue_room() {
     assert_eq!(report.runs[0].judgement.plain.correct, 6);
     let answer = report.answer.unwrap();
     assert_eq!(answer.reason, None);
-    assert_eq!(answer.readings[0].human, "in(the agent, the λx. blue(x) ∧ room(x))");
+    let formula: String = answer.readings[0].formula.iter().map(|piece| &*piece.text).collect();
+    assert_eq!(formula, "in(the agent, the λx. blue(x) ∧ room(x))");
     let plan = answer.plan.unwrap();
     let agent = &plan.states.last().unwrap().agent;
     let blue = plan.states[0].rooms.iter().find(|room| room.color.name() == "blue").unwrap();

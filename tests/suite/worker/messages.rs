@@ -1,14 +1,16 @@
 //! Messages between page and engine: each kind comes back from JSON as it went in, under its own name.
 
 use super::{corpus, settings, six};
-use groundling::ccg::{EntryText, Explanation, Part};
+use groundling::domain::{Blueprint, Color, Shape, Size};
 use groundling::learn::PlannerCost;
 use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
-    Answer, CellValue, Confused, CorpusReport, CorpusText, Envelope, Event, Experiment,
-    ExperimentProgress, ExperimentReport, Figures, Judgement, Lesson, PairText, PlanProgress,
-    PlanText, Problem, Progress, Reading, Request, RowSummary, RunPart, RunReport, Runs,
-    SeedLexicon, TaskFigures, TeachReport, TrainReport, VERSION, ValueMap, WorldRules,
+    Answer, Article, CellValue, Claim, Confused, CorpusReport, CorpusText, Description, EntryText,
+    Envelope, Event, Experiment, ExperimentProgress, ExperimentReport, Explanation, Fate, Figures,
+    Judgement, Lesson, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress, PlanText, Problem,
+    Progress, Reading, Referent, Refers, Request, RowSummary, RunPart, RunReport, Runs,
+    SeedLexicon, Study, TaskFigures, TeachReport, TrainReport, VERSION, ValueMap, Why, Word,
+    WorldRules,
 };
 use serde::{Serialize, de::DeserializeOwned};
 use std::fmt::Debug;
@@ -31,7 +33,7 @@ fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
         let body = &value["body"];
         let key = body.as_object().and_then(|object| object.keys().next()).map(String::as_str);
         assert_eq!(body.as_str().or(key), Some(kind), "{text}");
-        assert_eq!(value["groundling"], 4);
+        assert_eq!(value["groundling"], VERSION);
         assert_eq!(serde_json::from_str::<Envelope<T>>(&text).unwrap(), envelope, "{text}");
     }
 }
@@ -53,6 +55,9 @@ fn requests_come_back_from_json() {
         Request::Train { lexicon: SeedLexicon::Demonstration, settings: some },
         Request::Teach { examples: vec![Lesson { command: "go".to_owned(), pairs: vec![pair] }] },
         Request::Explain { command: "go".to_owned() },
+        Request::Draw { blueprint: Blueprint::default(), seed: 7 },
+        Request::ReadWorld { text: "###\n".to_owned() },
+        Request::WriteWorld { state: state.clone() },
         Request::OpenModel { text: "groundling model 1\nend\n".to_owned() },
         Request::Ask { command: "go".to_owned(), state: state.clone(), rules },
         Request::Plan { form: "p:t".to_owned(), state: state.clone(), rules },
@@ -65,12 +70,15 @@ fn requests_come_back_from_json() {
         Request::Cancel,
         Request::Ping,
     ];
-    come_back(&messages, 13, |request| match request {
+    come_back(&messages, 16, |request| match request {
         Request::ReadCorpus { .. } => "read_corpus",
         Request::ShowRow { .. } => "show_row",
         Request::Train { .. } => "train",
         Request::Teach { .. } => "teach",
         Request::Explain { .. } => "explain",
+        Request::Draw { .. } => "draw",
+        Request::ReadWorld { .. } => "read_world",
+        Request::WriteWorld { .. } => "write_world",
         Request::OpenModel { .. } => "open_model",
         Request::Ask { .. } => "ask",
         Request::Plan { .. } => "plan",
@@ -86,16 +94,55 @@ fn requests_come_back_from_json() {
 fn events_come_back_from_json() {
     let pair = six()[0].pairs[0].clone();
     let states = vec![pair.pre.clone(), pair.post.clone()];
+    let world = pair.pre.clone();
+    let piece = Piece { text: "p".to_owned(), words: Some((0, 1)) };
+    let described = |claims| Description {
+        article: Article::Biggest,
+        properties: vec!["red".to_owned()],
+        claims,
+    };
+    let robot_near =
+        |noun| Claim::Related { relation: "near".to_owned(), nouns: Box::new([Noun::Robot, noun]) };
+    let claims = vec![
+        Claim::Not(Box::new(robot_near(Noun::It))),
+        Claim::Any(vec![Claim::Is("red".to_owned(), Box::new(Noun::Formula("x".to_owned())))]),
+        Claim::Exists(Box::new(described(vec![]))),
+        Claim::Formula("p".to_owned()),
+    ];
+    let noun = Noun::Described(Box::new(described(claims)));
+    let referent = Referent {
+        class: "object".to_owned(),
+        color: Some(Color::Red),
+        shape: Some(Shape::Chair),
+        size: Some(Size::Large),
+        cells: vec![(1, -2)],
+    };
+    let phrase = Phrase {
+        noun: noun.clone(),
+        words: vec![0, 2],
+        refers: Refers::Tie,
+        referents: vec![referent],
+    };
+    let node = Node {
+        words: (0, 1),
+        rule: ">".to_owned(),
+        category: "N".to_owned(),
+        meaning: vec![piece.clone()],
+        parts: vec![0],
+    };
     let reading = Reading {
         form: "p:t".to_owned(),
-        human: "¬p".to_owned(),
+        formula: vec![Piece { text: "¬".to_owned(), words: None }, piece],
+        claim: Claim::All(vec![robot_near(noun)]),
         score: -1.5,
+        nodes: vec![node],
         derivation: "go\n--".to_owned(),
-        failures: vec!["none".to_owned()],
+        phrases: vec![phrase],
+        cells: vec![(0, 0)],
     };
     let work = PlanProgress {
         solver: "lrtdp".to_owned(),
-        why: "things may go wrong".to_owned(),
+        why: Why::Large(10),
         states: 7,
         steps: 70,
         residual: 0.5,
@@ -121,10 +168,13 @@ fn events_come_back_from_json() {
     };
     let answer = Answer {
         command: "Go".to_owned(),
-        words: vec!["go".to_owned()],
+        words: vec![Word {
+            text: "gp".to_owned(),
+            heard: Some("go".to_owned()),
+            fate: Fate::Unknown,
+            near: vec!["go".to_owned()],
+        }],
         readings: vec![reading],
-        skipped: vec![],
-        unknown: vec!["xyzzy".to_owned()],
         reason: Some("tie".to_owned()),
         plan: Some(plan.clone()),
     };
@@ -201,12 +251,18 @@ fn events_come_back_from_json() {
         Event::Experimenting(judging),
         Event::Experimented { report: text },
         Event::Trained(trained.clone()),
+        Event::Opened(trained.clone()),
         Event::Taught(Box::new(TeachReport {
             model: trained,
             added: vec![entry.clone()],
             understood: vec![true],
         })),
-        Event::Explained(vec![Explanation { score: 0.1, parts: vec![part], entries: vec![entry] }]),
+        Event::Explained(vec![Study {
+            explanation: Explanation { score: 0.1, parts: vec![part], entries: vec![entry] },
+            reductions: vec![vec!["p".to_owned()]],
+        }]),
+        Event::World(world.clone()),
+        Event::WorldText { text: "###".to_owned() },
         Event::Answer(Box::new(answer)),
         Event::Answer(Box::new(without)),
         Event::Planning(work),
@@ -217,7 +273,7 @@ fn events_come_back_from_json() {
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
     ];
-    come_back(&messages, 19, |event| match event {
+    come_back(&messages, 22, |event| match event {
         Event::Ready => "ready",
         Event::Pong => "pong",
         Event::Crashed { .. } => "crashed",
@@ -227,6 +283,9 @@ fn events_come_back_from_json() {
         Event::Experimenting(_) => "experimenting",
         Event::Experimented { .. } => "experimented",
         Event::Trained(_) => "trained",
+        Event::Opened(_) => "opened",
+        Event::World(_) => "world",
+        Event::WorldText { .. } => "world_text",
         Event::Taught(_) => "taught",
         Event::Explained(_) => "explained",
         Event::Answer(_) => "answer",

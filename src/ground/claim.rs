@@ -1,0 +1,201 @@
+//! What a goal says, taken apart for whoever puts it into words: a tree without the words of any language. Made from
+//! the form itself, so that a person can check what was understood.
+
+use super::denote::meaning;
+use super::predicate::{Class, Meaning, Property};
+use crate::logic::{Node, TermId, Terms, print_human};
+use serde::{Deserialize, Serialize};
+
+/// How deep claims and descriptions stand in each other before one is given as people write logic: no one would read
+/// further, and readers of JSON refuse what is nested too deeply.
+const MAX_DEPTH: usize = 12;
+
+/// Something that is to be so.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Claim {
+    /// All of these.
+    All(Vec<Claim>),
+    /// One of these, or more.
+    Any(Vec<Claim>),
+    /// Not this.
+    Not(Box<Claim>),
+    /// The first thing stands in a relation to the second: `in`, `near`, `left`, `right`, `eq`.
+    Related {
+        /// The relation's constant.
+        relation: String,
+        /// Its two arguments, in order.
+        nouns: Box<[Noun; 2]>,
+    },
+    /// A thing has a property, by its constant: `red`.
+    Is(String, Box<Noun>),
+    /// There is such a thing.
+    Exists(Box<Description>),
+    /// What has no plain words: as people write logic.
+    Formula(String),
+}
+
+/// What a claim is about.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Noun {
+    /// The robot.
+    Robot,
+    /// The thing that is being described.
+    It,
+    /// Whatever fits a description.
+    Described(Box<Description>),
+    /// What has no plain words: as people write logic.
+    Formula(String),
+}
+
+/// A description of a thing: `the biggest red room`, `the block that is in the blue room`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Description {
+    /// Which of the things that fit.
+    pub article: Article,
+    /// Its properties, by their constants: colours first, then shapes, then a class that these do not imply.
+    pub properties: Vec<String>,
+    /// What else is said of it, as [`Noun::It`].
+    pub claims: Vec<Claim>,
+}
+
+/// Which thing is meant of those that fit a description.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Article {
+    /// Any.
+    A,
+    /// The only one.
+    The,
+    /// The one that is larger than all others.
+    Biggest,
+    /// The one that is smaller than all others.
+    Smallest,
+}
+
+/// What a goal says. What has no plain words stands in it as people write logic: the smallest part that is closed.
+pub fn claim(terms: &Terms, goal: TermId) -> Claim {
+    let formula = || Claim::Formula(print_human(terms, goal));
+    Teller { terms, depth: MAX_DEPTH }.claim(goal).unwrap_or_else(formula)
+}
+
+/// What a term of type `e` is called.
+pub fn noun(terms: &Terms, term: TermId) -> Noun {
+    let formula = || Noun::Formula(print_human(terms, term));
+    Teller { terms, depth: MAX_DEPTH }.noun(term).unwrap_or_else(formula)
+}
+
+/// Takes terms apart, down to some depth; `None` where it knows no words and the term is not closed, so that the one
+/// around it cannot be told either.
+#[derive(Clone, Copy)]
+struct Teller<'a> {
+    terms: &'a Terms,
+    depth: usize,
+}
+
+impl Teller<'_> {
+    fn claim(self, term: TermId) -> Option<Claim> {
+        let formula = || self.formula(term).map(Claim::Formula);
+        self.below().and_then(|below| below.told(term)).or_else(formula)
+    }
+
+    fn told(self, term: TermId) -> Option<Claim> {
+        let (meaning, args) = meaning(self.terms, term)?;
+        Some(match (meaning, args) {
+            (Meaning::And | Meaning::True, all) => Claim::All(self.each(all)?),
+            (Meaning::Or | Meaning::False, any) => Claim::Any(self.each(any)?),
+            (Meaning::Not, &[of]) => Claim::Not(Box::new(self.claim(of)?)),
+            (Meaning::Exists, &[property]) => {
+                Claim::Exists(Box::new(self.description(Article::A, property)?))
+            }
+            (Meaning::Property(_), &[of]) => Claim::Is(self.name(term)?, Box::new(self.noun(of)?)),
+            (Meaning::Relation(_), &[a, b]) => {
+                let nouns = Box::new([self.noun(a)?, self.noun(b)?]);
+                Claim::Related { relation: self.name(term)?, nouns }
+            }
+            _ => return None,
+        })
+    }
+
+    fn noun(self, term: TermId) -> Option<Noun> {
+        let formula = || self.formula(term).map(Noun::Formula);
+        self.below().and_then(|below| below.called(term)).or_else(formula)
+    }
+
+    fn called(self, term: TermId) -> Option<Noun> {
+        if self.terms.node(term) == Node::Variable(0) {
+            return Some(Noun::It);
+        }
+        let (article, property) = match meaning(self.terms, term)? {
+            (Meaning::The, &[property]) => (Article::The, property),
+            (Meaning::Argmax, &[property, measure]) if self.is_size(measure) => {
+                (Article::Biggest, property)
+            }
+            (Meaning::Argmin, &[property, measure]) if self.is_size(measure) => {
+                (Article::Smallest, property)
+            }
+            _ => return None,
+        };
+        let described = self.description(article, property)?;
+        let agent = ["agent".to_owned()];
+        let is_robot = article == Article::The && described.properties == agent;
+        Some(match is_robot && described.claims.is_empty() {
+            true => Noun::Robot,
+            false => Noun::Described(Box::new(described)),
+        })
+    }
+
+    /// What a term of type `<e,t>` says of a thing.
+    fn description(self, article: Article, property: TermId) -> Option<Description> {
+        let Node::Lambda { body, .. } = self.terms.node(property) else { return None };
+        let conjuncts = match meaning(self.terms, body) {
+            Some((Meaning::And | Meaning::True, all)) => all,
+            _ => std::slice::from_ref(&body),
+        };
+        let (mut colors, mut shapes, mut classes, mut claims) = (vec![], vec![], vec![], vec![]);
+        for &conjunct in conjuncts {
+            match meaning(self.terms, conjunct) {
+                Some((Meaning::Property(own), &[of]))
+                    if self.terms.node(of) == Node::Variable(0) =>
+                {
+                    match own {
+                        Property::Color(_) => &mut colors,
+                        Property::Shape(_) => &mut shapes,
+                        Property::Class(_) => &mut classes,
+                    }
+                    .push((own, self.name(conjunct)?));
+                }
+                _ => claims.push(self.claim(conjunct)?),
+            }
+        }
+        if !shapes.is_empty() {
+            classes.retain(|(own, _)| *own != Property::Class(Class::Object));
+        }
+        let properties = colors.into_iter().chain(shapes).chain(classes).map(|(_, name)| name);
+        Some(Description { article, properties: properties.collect(), claims })
+    }
+
+    fn each(self, terms: &[TermId]) -> Option<Vec<Claim>> {
+        terms.iter().map(|&term| self.claim(term)).collect()
+    }
+
+    /// Whether a term is `size`.
+    fn is_size(self, measure: TermId) -> bool {
+        let Node::Lambda { body, .. } = self.terms.node(measure) else { return false };
+        matches!(meaning(self.terms, body), Some((Meaning::Size, &[of])) if self.terms.node(of) == Node::Variable(0))
+    }
+
+    /// The name of the constant that heads a term.
+    fn name(self, term: TermId) -> Option<String> {
+        Some(self.terms.name(self.terms.head_constant(term)?).to_owned())
+    }
+
+    fn formula(self, term: TermId) -> Option<String> {
+        (self.terms.free(term) == 0).then(|| print_human(self.terms, term))
+    }
+
+    fn below(self) -> Option<Self> {
+        Some(Teller { depth: self.depth.checked_sub(1)?, ..self })
+    }
+}

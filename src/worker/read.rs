@@ -1,0 +1,163 @@
+//! A parse taken apart for the page: words, readings with their pieces, phrases and cells, and for those who study
+//! them scores and reductions.
+
+use super::protocol::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Word};
+use crate::ccg::{
+    self, ChartConfig, Derivation, Explanation, Model, Parse, Trace, Traced, alike, heard, parse,
+};
+use crate::domain::{Bounds, State};
+use crate::ground::{self, Class, Entity, Failure, Goal, Thing, claim, noun, phrases};
+use crate::logic::{TermId, print, print_human, steps};
+
+/// Readings that an answer shows, unless more are tied for best.
+const MAX_READINGS: usize = 10;
+
+/// Known words that are offered for an unknown one.
+const MAX_NEAR: usize = 3;
+
+/// The readings that an answer shows.
+pub(super) fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
+    parse.readings.iter().take(MAX_READINGS.max(parse.tied())).copied()
+}
+
+/// The words of a parse, and what became of each in the best reading.
+pub(super) fn words(model: &Model, parse: &Parse) -> Vec<Word> {
+    let best = parse.readings.first().map(|&reading| parse.derivation(reading));
+    let absorbed = best.map(|derivation| derivation.absorbed());
+    let heard = heard(&model.lexicon, &parse.words);
+    let word = |(at, (text, heard)): (usize, (&String, String))| {
+        let knows = model.lexicon.knows(&heard);
+        let is_empty = || {
+            let entries = model.lexicon.entries_for_word(&heard);
+            entries.iter().any(|&entry| model.lexicon.is_empty_entry(entry))
+        };
+        let fate = match &absorbed {
+            Some(absorbed) if !absorbed.contains(&at) => Fate::Meant,
+            Some(_) if is_empty() => Fate::Empty,
+            _ if !knows => Fate::Unknown,
+            Some(_) => Fate::Skipped,
+            None => Fate::Idle,
+        };
+        let near = match fate {
+            Fate::Unknown => alike(&model.lexicon, text, MAX_NEAR),
+            _ => Vec::new(),
+        };
+        Word { text: text.clone(), heard: (heard != *text).then_some(heard), fate, near }
+    };
+    parse.words.iter().zip(heard).enumerate().map(word).collect()
+}
+
+/// A reading with all that a page can point at.
+pub(super) fn reading(
+    model: &mut Model,
+    parse: &Parse,
+    reading: ccg::Reading,
+    state: &State,
+) -> Reading {
+    let derivation = parse.derivation(reading);
+    let trace = Trace::of(model, &derivation).ok();
+    let nodes = trace.as_ref().map(|trace| nodes(model, trace)).unwrap_or_default();
+    // What the root says, since the goal is its meaning.
+    let formula = nodes.last().map(|root| root.meaning.clone());
+    let phrases = said(model, trace.as_ref(), reading.form, state);
+    let terms = &model.grammar.terms;
+    let plain = || vec![Piece { text: print_human(terms, reading.form), words: None }];
+    Reading {
+        form: print(terms, reading.form),
+        formula: formula.unwrap_or_else(plain),
+        claim: claim(terms, reading.form),
+        score: Explanation::of(model, parse, reading).score,
+        nodes,
+        derivation: derivation.print(model, &parse.words),
+        phrases,
+        cells: Goal::new(terms, reading.form, state).map_or(Vec::new(), |goal| goal.cells(state)),
+    }
+}
+
+fn nodes(model: &mut Model, trace: &Trace) -> Vec<Node> {
+    let node = |node: &Traced| {
+        let piece = |(text, words)| Piece { text, words };
+        let pieces = trace.pieces(node, &mut model.grammar.terms);
+        Node {
+            words: node.words,
+            rule: node.rule.map_or("", |rule| model.grammar.rule_name(rule)).to_owned(),
+            category: model.grammar.syntaxes.text(node.category.syntax).to_owned(),
+            meaning: pieces.into_iter().map(piece).collect(),
+            parts: node.parts.clone(),
+        }
+    };
+    trace.nodes.iter().map(node).collect()
+}
+
+/// The phrases of a goal in a state.
+fn said(model: &mut Model, trace: Option<&Trace>, goal: TermId, state: &State) -> Vec<Phrase> {
+    let found = phrases(&model.grammar.terms, goal, state).unwrap_or_default();
+    let things = Thing::all(state);
+    let said = |phrase: ground::Phrase| {
+        let words = trace.map(|trace| trace.words_of(phrase.term, &mut model.grammar.terms));
+        let (refers, entities) = match phrase.referent {
+            Ok(entity) => (Refers::One, vec![entity]),
+            Err(Failure::None) => (Refers::None, Vec::new()),
+            Err(Failure::Several(which)) => (Refers::Several, which),
+            Err(Failure::Tie(which)) => (Refers::Tie, which),
+            Err(Failure::Single(only)) => (Refers::Single, vec![only]),
+            Err(Failure::Mixed(which)) => (Refers::Mixed, which),
+            Err(Failure::Inner) => (Refers::Inner, Vec::new()),
+        };
+        let thing = |entity: &Entity| things.iter().find(|thing| thing.is(entity));
+        Phrase {
+            noun: noun(&model.grammar.terms, phrase.term),
+            words: words.unwrap_or_default(),
+            refers,
+            referents: entities.iter().filter_map(thing).map(|&thing| referent(thing)).collect(),
+        }
+    };
+    found.into_iter().map(said).collect()
+}
+
+fn referent(thing: Thing<'_>) -> Referent {
+    let within = |bounds: Bounds, inner: bool| {
+        let cells = bounds.cells();
+        cells.filter(|&(x, y)| !inner || bounds.strictly_inside(x, y)).collect::<Vec<_>>()
+    };
+    let (class, cells) = match thing {
+        Thing::Agent { x, y } => (Class::Agent, vec![(x, y)]),
+        Thing::Room(room) => (Class::Room, within(room.bounds, true)),
+        Thing::Door(door) => (Class::Door, within(door.bounds, false)),
+        Thing::Object(object) => (Class::Object, vec![(object.x, object.y)]),
+    };
+    let size = match thing {
+        Thing::Object(object) => object.size,
+        _ => None,
+    };
+    let class = class.name().to_owned();
+    Referent { class, color: thing.color(), shape: thing.shape(), size, cells }
+}
+
+/// The readings that an answer shows, for those who study them.
+pub(super) fn studies(model: &mut Model, command: &str) -> Vec<Study> {
+    let parse = parse(model, command, ChartConfig::of(model));
+    let study = |reading| Study {
+        explanation: Explanation::of(model, &parse, reading),
+        reductions: reductions(model, &parse.derivation(reading)),
+    };
+    shown(&parse).map(study).collect()
+}
+
+/// How the meaning of each node of a derivation came about, parts before what was made of them.
+fn reductions(model: &Model, derivation: &Derivation) -> Vec<Vec<String>> {
+    let Derivation::Node { rule, children, category } = derivation else {
+        return vec![vec![print_human(&model.grammar.terms, derivation.category().meaning)]];
+    };
+    let mut all: Vec<Vec<String>> =
+        children.iter().flat_map(|child| reductions(model, child)).collect();
+    let parts: Vec<TermId> = children.iter().map(|child| child.category().meaning).collect();
+    let mut lines = model.grammar.written(*rule, &parts).map(steps).unwrap_or_default();
+    // Conjuncts have an order of their own, and each stands once.
+    let meaning = print_human(&model.grammar.terms, category.meaning);
+    if lines.last() != Some(&meaning) {
+        lines.push(meaning);
+    }
+    all.push(lines);
+    all
+}
