@@ -17,6 +17,8 @@ mod logic;
 mod ccg;
 #[path = "suite/render.rs"]
 mod render;
+#[path = "suite/overlay.rs"]
+mod overlay;
 #[path = "suite/tidy.rs"]
 mod tidy;
 #[path = "suite/world.rs"]

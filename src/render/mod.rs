@@ -7,9 +7,12 @@
 pub mod palette;
 pub mod floor;
 pub mod quad;
+pub mod options;
 pub mod walls;
-pub mod scene;
+mod overlay;
 pub mod motion;
+mod things;
+pub mod scene;
 pub mod grid;
 #[cfg(target_arch = "wasm32")]
 pub mod gpu;
@@ -19,6 +22,7 @@ pub mod link;
 pub use floor::{Extent, Floor, Ground};
 pub use grid::{Cell, Grid, announce};
 pub use motion::{Motion, Pose};
+pub use options::{Arrow, Ghost, Options, Spread, Thing, spread};
 pub use palette::{Rgba, Theme};
 pub use quad::{Figure, Quad};
-pub use scene::{Fit, Options, Scene};
+pub use scene::{Fit, Scene};

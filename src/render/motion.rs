@@ -2,7 +2,8 @@
 //! way round. Pure: the caller has the clock and says how far it is, `t` in 0..=1. Angles are radians
 //! counter-clockwise from north, lengths are cells.
 
-use super::scene::{Options, Scene};
+use super::options::Options;
+use super::scene::Scene;
 use crate::domain::{Direction, State};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
@@ -20,14 +21,12 @@ pub struct Pose {
 impl Pose {
     /// Everything in its cell.
     pub fn of(state: &State) -> Self {
-        let turn = match state.agent.direction {
-            Direction::North => 0.0,
-            Direction::West => FRAC_PI_2,
-            Direction::South => PI,
-            Direction::East => -FRAC_PI_2,
-        };
         let objects = state.objects.iter().map(|o| [o.x as f32, o.y as f32]).collect();
-        Self { robot: [state.agent.x as f32, state.agent.y as f32], turn, objects }
+        Self {
+            robot: [state.agent.x as f32, state.agent.y as f32],
+            turn: heading(state.agent.direction),
+            objects,
+        }
     }
 }
 
@@ -83,6 +82,16 @@ impl Motion {
     /// The picture at `t`.
     pub fn scene_at(&self, t: f32, options: &Options) -> Scene {
         Scene::posed(&self.state, &self.pose(t), options)
+    }
+}
+
+/// How far a thing that looks north is turned to look that way.
+pub(super) fn heading(direction: Direction) -> f32 {
+    match direction {
+        Direction::North => 0.0,
+        Direction::West => FRAC_PI_2,
+        Direction::South => PI,
+        Direction::East => -FRAC_PI_2,
     }
 }
 

@@ -60,6 +60,14 @@ impl Rgba {
         let (a, b) = (self.luminance() + 0.05, other.luminance() + 0.05);
         if a > b { a / b } else { b / a }
     }
+
+    /// Nearly black or white, whichever is seen on this. Brightness is weighed without leaving sRGB, which is near
+    /// enough for two colours so far apart, and cheap enough for every cell of a frame.
+    pub fn opposite(self) -> Self {
+        let [r, g, b, _] = self.0;
+        let bright = 0.299 * r + 0.587 * g + 0.114 * b > 0.46;
+        Self::hex(if bright { 0x14161b } else { 0xffffff })
+    }
 }
 
 impl Theme {
@@ -146,6 +154,40 @@ impl Theme {
         self.pick(0x6a4df4, 0xb3a4ff)
     }
 
+    /// What is not allowed.
+    pub const fn refused(self) -> Rgba {
+        self.locked_leaf()
+    }
+
+    /// The ground of cells where a goal holds: to be seen on a floor and on any value, with its stripes.
+    pub const fn goal(self) -> Rgba {
+        self.backdrop().alpha(0.62)
+    }
+
+    /// The stripes of cells where a goal holds.
+    pub const fn goal_stripes(self) -> Rgba {
+        self.signs().alpha(0.5)
+    }
+
+    /// The colours of values from 0 to 1 in even steps, for a legend: away from the ground by even steps of
+    /// lightness, so that the order is seen without seeing hues.
+    pub fn value_stops(self) -> [Rgba; 5] {
+        match self {
+            Self::Light => [0xfbf6d9, 0xc8e3b0, 0x8bcaa3, 0x4aaca9, 0x1f86a8],
+            Self::Dark => [0x24265c, 0x2a5080, 0x2b7f8c, 0x5ab08a, 0xcfe08a],
+        }
+        .map(Rgba::hex)
+    }
+
+    /// The colour of a value in 0..=1.
+    pub fn value(self, value: f32) -> Rgba {
+        let stops = self.value_stops();
+        let at = unit(value) * (stops.len() - 1) as f32;
+        let below = at as usize;
+        let low = stops[below];
+        stops.get(below + 1).map_or(low, |high| low.mix(*high, at - below as f32))
+    }
+
     /// An object's colour.
     pub const fn object(self, color: Color) -> Rgba {
         match color {
@@ -175,4 +217,9 @@ impl Theme {
             Color::Teal => self.pick(0xbfe5e1, 0x1c4343),
         }
     }
+}
+
+/// A number cut to 0..=1; 0 for what is none.
+pub(super) fn unit(value: f32) -> f32 {
+    if value > 0.0 { value.min(1.0) } else { 0.0 }
 }

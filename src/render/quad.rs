@@ -37,6 +37,32 @@ pub enum Figure {
     Box = 12,
     /// A colour's letter in `ink`, on a disc where `fill` is not clear; `detail[0]` = its place in [`Color::ALL`].
     Letter = 13,
+    /// A cell's part of a region: the region's outline in `ink` around a tint in `fill`; `detail` = [which of its
+    /// neighbours belong to the region too, as bits from 1: north, east, south,
+    /// west, north-east, south-east, south-west, north-west, how far apart stripes in `ink` lie, 0 for none].
+    Region = 14,
+    /// What to do in a cell, in `fill`, north when not turned; `detail[0]` = its [`ArrowForm`].
+    Arrow = 15,
+    /// As [`Figure::Frame`], its line broken into dashes.
+    Dashes = 16,
+}
+
+/// The neighbours of a cell as (east, north) steps; the i-th of them is bit i of a [`Figure::Region`]'s detail.
+pub(super) const NEIGHBOURS: [(i32, i32); 8] =
+    [(0, 1), (1, 0), (0, -1), (-1, 0), (1, 1), (1, -1), (-1, -1), (-1, 1)];
+
+/// The forms of a [`Figure::Arrow`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum ArrowForm {
+    /// Straight on.
+    Straight = 0,
+    /// Round to the left.
+    Left = 1,
+    /// Round to the right.
+    Right = 2,
+    /// There and back: an exchange of places.
+    Exchange = 3,
 }
 
 impl From<Shape> for Figure {

@@ -3,21 +3,11 @@
 
 use super::floor::{Extent, Floor};
 use super::motion::Pose;
+use super::options::Options;
 use super::palette::{Rgba, Theme};
 use super::quad::{Figure, Quad};
-use super::walls;
-use crate::domain::{Bounds, Object, Room, Size, State};
-
-/// How a state is to be shown.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Options {
-    /// The set of colours.
-    pub theme: Theme,
-    /// Cells (x, y) to point out: where a goal holds, what a phrase refers to.
-    pub highlight: Vec<(i32, i32)>,
-    /// Whether each object bears its colour's letter; a room always does.
-    pub letters: bool,
-}
+use super::{overlay, things, walls};
+use crate::domain::{Bounds, Room, State};
 
 /// A picture: quads on a ground.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,20 +45,18 @@ impl Scene {
         let floor = Floor::of(state);
         let mut quads = Vec::new();
         quads.extend(state.rooms.iter().flat_map(|room| floor_quads(room, theme)));
+        quads.extend(state.doors.iter().map(|door| walls::sill(door, &floor, theme)));
+        overlay::values(options, floor.extent, &mut quads);
+        overlay::regions(options, floor.extent, &mut quads);
+        overlay::arrows(options, floor.extent, &mut quads);
         let letters = state.rooms.iter().filter(|room| room.bounds.area() > 3);
         quads.extend(letters.map(|room| room_letter(room, theme)));
-        quads.extend(state.doors.iter().map(|door| walls::sill(door, &floor, theme)));
-        let shown = options.highlight.iter().filter(|(x, y)| floor.extent.contains(*x, *y));
-        quads.extend(shown.map(|cell| highlight(*cell, theme)));
         walls::walls(&floor, theme, &mut quads);
         for door in &state.doors {
             walls::door(door, &floor, theme, &mut quads);
         }
-        for (object, place) in state.objects.iter().zip(&pose.objects) {
-            quads.extend(object_quads(object, *place, theme));
-            quads.extend(options.letters.then(|| object_letter(object, *place, theme)));
-        }
-        quads.extend(robot_quads(pose, theme));
+        overlay::frames(options, floor.extent, &mut quads);
+        things::things(state, pose, options, &mut quads);
         Self { extent: floor.extent, backdrop: theme.backdrop(), quads }
     }
 
@@ -92,6 +80,13 @@ impl Fit {
         let origin = [(width - scale * columns) / 2.0, (height - scale * rows) / 2.0];
         let top = extent.bottom.saturating_add_unsigned(extent.rows - 1);
         Self { scale, origin, corner: [extent.left, top] }
+    }
+
+    /// The point under a pixel, in cells: a cell's middle is its coordinates.
+    pub fn point(&self, x: f32, y: f32) -> [f32; 2] {
+        let [left, top] = self.corner.map(|side| side as f32);
+        let [east, south] = [(x - self.origin[0]) / self.scale, (y - self.origin[1]) / self.scale];
+        [left - 0.5 + east, top + 0.5 - south]
     }
 
     /// The cell under a pixel, which may lie outside the extent.
@@ -122,40 +117,4 @@ fn room_letter(room: &Room, theme: Theme) -> Quad {
     let centre = [room.bounds.left as f32 + 0.56, room.bounds.top as f32 - 0.56];
     let ink = theme.floor(room.color).mix(theme.signs(), 0.62);
     Quad::letter(room.color, centre, 0.17, Rgba([0.0; 4]), ink)
-}
-
-/// The letter of an object's colour, on a disc at its lower right.
-fn object_letter(object: &Object, [x, y]: [f32; 2], theme: Theme) -> Quad {
-    Quad::letter(object.color, [x + 0.32, y - 0.32], 0.16, theme.backdrop(), theme.signs())
-}
-
-fn highlight((x, y): (i32, i32), theme: Theme) -> Quad {
-    let colour = theme.highlight();
-    let frame = Quad::rect([x as f32, y as f32], [0.44, 0.44], 0.16, colour.alpha(0.16));
-    Quad { figure: Figure::Frame, detail: [0.16, 0.06], ink: colour.alpha(0.85), ..frame }
-}
-
-/// An object and its shadow at a place.
-fn object_quads(object: &Object, [x, y]: [f32; 2], theme: Theme) -> [Quad; 2] {
-    let half = match object.size {
-        Some(Size::Small) => 0.29,
-        Some(Size::Medium) | None => 0.39,
-        Some(Size::Large) => 0.47,
-    };
-    let shadow = [x + 0.02, y - half * 0.86];
-    let icon = Figure::from(object.shape);
-    [
-        Quad::soft(shadow, [half * 0.8, half * 0.2], half * 0.2, half * 0.24, theme.shadow()),
-        Quad::icon(icon, [x, y], half, theme.object(object.color), theme.ink()),
-    ]
-}
-
-/// The robot and its shadow.
-fn robot_quads(pose: &Pose, theme: Theme) -> [Quad; 2] {
-    let [x, y] = pose.robot;
-    let robot = Quad::icon(Figure::Robot, pose.robot, 0.46, theme.robot(), theme.robot_face());
-    [
-        Quad::soft([x + 0.03, y - 0.08], [0.36, 0.36], 0.36, 0.12, theme.shadow()),
-        Quad { turn: pose.turn, ..robot },
-    ]
 }

@@ -81,6 +81,42 @@ fn joined(a: f32, b: f32, soft: f32) -> f32 {
     return min(a, b) - h * h * soft * 0.25;
 }
 
+// A cell's part of a region that ends `reach` from the cell's middle where a neighbour does not belong to it. Each
+// quadrant looks at the neighbour beside it, the one above or below it, and the one across.
+fn region(p: vec2f, neighbours: u32, reach: f32, corner: f32) -> f32 {
+    let east = p.x > 0.0;
+    let north = p.y > 0.0;
+    let beside = (neighbours & select(8u, 2u, east)) != 0u;
+    let above = (neighbours & select(4u, 1u, north)) != 0u;
+    let across = (neighbours & select(select(64u, 32u, east), select(128u, 16u, east), north)) != 0u;
+    let q = abs(p) - reach;
+    if beside && above {
+        let hole = corner - q;
+        let outside = length(max(hole, vec2f(0.0))) + min(max(hole.x, hole.y), 0.0) - corner;
+        return select(-outside, -reach, across);
+    }
+    if beside { return q.y; }
+    if above { return q.x; }
+    return rectangle(p, vec2f(reach), corner);
+}
+
+// The forms of `ArrowForm`.
+fn arrow(p: vec2f, form: u32) -> f32 {
+    if form == 0u {
+        let head = bar(vec2f(abs(p.x), p.y), vec2f(0.0, 0.72), vec2f(0.52, 0.16), 0.15);
+        return min(head, bar(p, vec2f(0.0, -0.75), vec2f(0.0, 0.6), 0.15));
+    }
+    if form == 3u {
+        let head = bar(abs(p), vec2f(0.0, 0.78), vec2f(0.42, 0.32), 0.15);
+        return min(head, bar(abs(p), vec2f(0.0), vec2f(0.0, 0.66), 0.15));
+    }
+    // Three quarters of a ring, ending in the west with a head that points south.
+    let q = vec2f(select(p.x, -p.x, form == 2u), p.y);
+    let arc = max(ring(q, 0.58, 0.14), -max(q.x, q.y));
+    let head = vec2f(abs(q.x + 0.58), q.y);
+    return min(arc, bar(head, vec2f(0.0, -0.2), vec2f(0.34, 0.14), 0.14));
+}
+
 // A picture in the making: premultiplied colour so far, and what its parts are drawn with.
 
 struct Brush {
@@ -272,7 +308,33 @@ fn fragment(in: Varying) -> @location(0) vec4f {
         let shade = 1.0 - (1.0 - (1.0 - free.x) * (1.0 - free.x)) * (1.0 - (1.0 - free.y) * (1.0 - free.y));
         return vec4f(mix(in.fill.rgb, in.ink.rgb, in.ink.a * shade), 1.0) * in.fill.a;
     }
+    if figure == 14u {
+        // What lies beyond the cell is its neighbours' to draw.
+        if any(in.at < -in.half) || any(in.at >= in.half) { return vec4f(0.0); }
+        let striped = in.form.w > 0.0;
+        let d = region(in.at, u32(in.form.z + 0.5), select(0.45, 0.42, striped), 0.14);
+        let line = max(0.055, 1.5 * cell);
+        let inside = clamp(0.5 - d / cell, 0.0, 1.0);
+        let within = clamp(0.5 - (d + line) / cell, 0.0, 1.0);
+        let pitch = max(in.form.w, 0.01);
+        let off = abs(fract((in.at.x + in.at.y) / pitch) - 0.5) * pitch * 0.7071;
+        let stripe = within * select(0.0, clamp(0.5 - (off - 0.028) / cell, 0.0, 1.0), striped);
+        let on = inside - within + stripe;
+        return ink * on + fill * within * (1.0 - ink.a * stripe);
+    }
+    if figure == 16u {
+        let d = rectangle(in.at, in.half, in.form.z);
+        let line = max(in.form.w, 1.5 * cell);
+        let side = abs(in.at) - in.half;
+        let along = select(in.at.x, in.at.y, side.x > side.y);
+        let dash = abs(fract(along * 4.0 + 0.5) - 0.5) * 0.25 - 0.075;
+        let on = clamp(0.5 - d / cell, 0.0, 1.0) - clamp(0.5 - (d + line) / cell, 0.0, 1.0);
+        return ink * on * clamp(0.5 - dash / cell, 0.0, 1.0);
+    }
     let unit = 1.0 / in.half.y;
+    if figure == 15u {
+        return fill * clamp(0.5 - arrow(in.at * unit, u32(in.form.z + 0.5)) / (cell * unit), 0.0, 1.0);
+    }
     var brush: Brush;
     brush.ink = in.ink.rgb;
     brush.pixel = cell * unit;

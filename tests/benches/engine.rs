@@ -13,11 +13,12 @@ mod cpu;
 mod learning;
 
 use cpu::{Row, print_table, seconds};
-use groundling::domain::{Color, Lock, Plan, Rules, State, generate};
+use groundling::domain::{Color, Direction, Lock, Plan, Rules, State, generate};
 use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
 use groundling::mdp::{Settings, Solver};
 use groundling::plan::AStar;
+use groundling::render::{Arrow, Options, Scene};
 use groundling::worker::job::Engine;
 use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
 use std::hint::black_box;
@@ -50,9 +51,14 @@ const THREE_OBJECTS: &str = r#"{"agent":{"x":6,"y":6,"direction":"south"},
 {"name":"object2","shape":"box","color":"brown","x":6,"y":7}]}"#;
 
 fn main() {
+    let large = generate(&Plan { side: (32, 32), objects: (20, 20) }, 1);
+    let options = watched();
     let mut rows = vec![
         Row::of("generate a world", 2_000, None, |round| {
             black_box(generate(&Plan::default(), round));
+        }),
+        Row::of("a picture: 32 × 32 cells with values and arrows", 500, None, |_| {
+            black_box(Scene::of(&large, &options).floats());
         }),
         Row::of("read and print a goal, new arena", 2_000, None, |_| {
             let mut terms = Terms::new();
@@ -80,6 +86,20 @@ fn main() {
     print_table(&rows);
     if let Some(megabytes) = learning::peak_memory() {
         println!("\nmost memory held: {megabytes:.0} MB");
+    }
+}
+
+/// Everything that a picture can show of 32 × 32 cells.
+fn watched() -> Options {
+    let cells = || (0..32).flat_map(|x| (0..32).map(move |y| (x, y)));
+    Options {
+        letters: true,
+        values: cells().map(|(x, y)| (x, y, (x + y) as f32 / 64.0)).collect(),
+        arrows: cells().map(|(x, y)| (x, y, Arrow::Step(Direction::East))).collect(),
+        goal: cells().take(100).collect(),
+        highlight: cells().skip(500).take(200).collect(),
+        cursor: Some((3, 3)),
+        ..Options::default()
     }
 }
 

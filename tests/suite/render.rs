@@ -47,8 +47,8 @@ fn a_scene_holds_every_thing_once() {
 #[test]
 fn things_lie_upon_floors_and_the_robot_upon_all() {
     let scene = Scene::of(&rooms(), &Options { highlight: vec![(2, 2)], ..Options::default() });
-    assert!(last(&scene, Figure::Floor) < first(&scene, Figure::Frame));
-    assert!(last(&scene, Figure::Frame) < first(&scene, Figure::Padlock));
+    assert!(last(&scene, Figure::Floor) < first(&scene, Figure::Region));
+    assert!(last(&scene, Figure::Region) < first(&scene, Figure::Padlock));
     assert!(last(&scene, Figure::Padlock) < first(&scene, Figure::Chair));
     assert_eq!(last(&scene, Figure::Robot), scene.quads.len() - 1);
 }
@@ -59,7 +59,7 @@ fn letters_and_highlights_are_as_asked() {
     let highlight = vec![(2, 2), (3, 3), (500, 500)];
     let scene = Scene::of(&state, &Options { letters: true, highlight, ..Options::default() });
     assert_eq!(count(&scene, Figure::Letter), state.rooms.len() + state.objects.len());
-    assert_eq!(count(&scene, Figure::Frame), 2, "a cell outside is not shown");
+    assert_eq!(count(&scene, Figure::Region), 2, "a cell outside is not shown");
 }
 
 #[test]
@@ -81,6 +81,8 @@ fn a_pixel_finds_its_cell() {
     assert_eq!(fit.cell(799.0, 649.0), (19, 0));
     assert_eq!(fit.cell(95.0, 635.0), (2, 0));
     assert_eq!(fit.cell(1.0, 49.0), (0, 15), "outside");
+    assert_eq!(fit.point(20.0, 70.0), [0.0, 14.0], "a cell's middle");
+    assert_eq!(fit.point(40.0, 610.0), [0.5, 0.5], "a corner");
 }
 
 #[test]

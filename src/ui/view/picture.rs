@@ -18,7 +18,7 @@ pub(super) fn Picture(props: &Props) -> Html {
     let options = Options { theme: props.theme, ..Options::default() };
     let scene = Scene::of(&props.world, &options);
     html! {
-        <svg class="picture" role="img" aria-label={props.label.clone()} viewBox={sketch::view_box(&scene)}>
+        <svg class="picture" role="img" aria-label={props.label.clone()} viewBox={sketch::view_box(&scene.extent)}>
             { sketch::quads(&scene) }
         </svg>
     }

@@ -3,12 +3,11 @@
 //! in the shader.
 
 use crate::domain::Color;
-use crate::render::{Figure, Quad, Rgba, Scene};
+use crate::render::{Extent, Figure, Quad, Rgba, Scene};
 use yew::{Html, html};
 
-/// The address of the part of a scene that is shown, as an SVG view box.
-pub(super) fn view_box(scene: &Scene) -> String {
-    let extent = &scene.extent;
+/// What a picture shows, as an SVG view box.
+pub(super) fn view_box(extent: &Extent) -> String {
     let top = f64::from(extent.bottom) + f64::from(extent.rows) - 0.5;
     let left = f64::from(extent.left) - 0.5;
     format!("{left} {} {} {}", -top, extent.columns, extent.rows)
@@ -21,18 +20,20 @@ pub(super) fn quads(scene: &Scene) -> Html {
 
 fn quad(quad: &Quad) -> Html {
     match quad.figure {
-        Figure::Frame => rect(quad, Some(quad.detail[1])),
+        Figure::Frame | Figure::Dashes => rect(quad, Some(quad.detail[1])),
         Figure::Grid => grid(quad),
-        Figure::Padlock | Figure::Question => badge(quad),
-        Figure::Robot => figure(quad, robot(quad)),
-        Figure::Chair => figure(quad, chair(quad)),
-        Figure::Basket => figure(quad, basket(quad)),
-        Figure::Block => figure(quad, block(quad)),
-        Figure::Bag => figure(quad, bag(quad)),
-        Figure::Backpack => figure(quad, backpack(quad)),
-        Figure::Box => figure(quad, crate_box(quad)),
+        Figure::Region => figure(quad, region(quad)),
+        Figure::Arrow => figure(quad, arrow(quad)),
+        Figure::Padlock | Figure::Question => icon(quad, badge),
+        Figure::Robot => icon(quad, robot),
+        Figure::Chair => icon(quad, chair),
+        Figure::Basket => icon(quad, basket),
+        Figure::Block => icon(quad, block),
+        Figure::Bag => icon(quad, bag),
+        Figure::Backpack => icon(quad, backpack),
+        Figure::Box => icon(quad, crate_box),
         Figure::Letter => letter(quad),
-        _ => rect(quad, None),
+        Figure::Rect | Figure::Floor => rect(quad, None),
     }
 }
 
@@ -50,7 +51,8 @@ fn rect(quad: &Quad, line: Option<f32>) -> Html {
     html! {
         <rect x={(x - w).to_string()} y={(-y - h).to_string()} width={(2.0 * w).to_string()}
             height={(2.0 * h).to_string()} rx={quad.detail[0].to_string()} fill={css(quad.fill)} opacity={fade}
-            stroke={line.map(|_| css(quad.ink))} stroke-width={line.map(|l| l.to_string())} />
+            stroke={line.map(|_| css(quad.ink))} stroke-width={line.map(|l| l.to_string())}
+            stroke-dasharray={(quad.figure == Figure::Dashes).then_some(".15 .1")} />
     }
 }
 
@@ -76,10 +78,59 @@ fn badge(quad: &Quad) -> Html {
     } else {
         "M-.3 .25a.3 .3 0 0 1 .6 0c0 .3-.2 .2-.2 .5h-.2c0-.45 .2-.4 .2-.5a.1 .1 0 0 0-.2 0zM-.1-.35h.2v-.2h-.2z"
     };
-    let parts = html! {
+    html! {
         <><circle r=".93" fill={css(quad.fill)} /><path d={sign} fill={css(quad.ink)} stroke="none" /></>
+    }
+}
+
+/// A cell's part of a region: a tint, stripes, and a line where the region ends.
+fn region(quad: &Quad) -> Html {
+    let ends = if quad.detail[1] > 0.0 { 0.84 } else { 0.9 };
+    let belongs = |bit: u8| quad.detail[0] as u8 & bit != 0;
+    let reach = |bit: u8| if belongs(bit) { 1.0 } else { ends };
+    let [north, east, south, west] = [reach(1), reach(2), -reach(4), -reach(8)];
+    let mut line = String::new();
+    for (open, path) in [
+        (!belongs(1), format!("M{west} {north}H{east}")),
+        (!belongs(2), format!("M{east} {north}V{south}")),
+        (!belongs(4), format!("M{west} {south}H{east}")),
+        (!belongs(8), format!("M{west} {north}V{south}")),
+    ] {
+        line.push_str(if open { &path } else { "" });
+    }
+    for (beside, across, x, y) in [(3, 16, 1, 1), (6, 32, 1, -1), (12, 64, -1, -1), (9, 128, -1, 1)]
+    {
+        if quad.detail[0] as u8 & beside == beside && !belongs(across) {
+            let inner = |sign: i32| f64::from(sign) * ends;
+            line.push_str(&format!("M{x} {}H{}V{y}", inner(y), inner(x)));
+        }
+    }
+    let mut stripes = String::new();
+    for k in -8..8 {
+        // A stripe runs where x + y is so much; the quad is two units wide.
+        let sum = (f64::from(k) + 0.5) * 2.0 * f64::from(quad.detail[1]);
+        let (from, to) = (west.max(sum - north), east.min(sum - south));
+        if quad.detail[1] > 0.0 && from < to {
+            stripes.push_str(&format!("M{from} {}L{to} {}", sum - from, sum - to));
+        }
+    }
+    html! {
+        <>
+            <path d={format!("M{west} {south}V{north}H{east}V{south}z")} fill={css(quad.fill)} stroke="none" />
+            <path d={stripes + &line} fill="none" stroke-linecap="round" />
+        </>
+    }
+}
+
+fn arrow(quad: &Quad) -> Html {
+    let around = "M0-.58A.58 .58 0 1 1-.58 0M-.92 .14L-.58-.2-.24 .14";
+    let (d, mirror) = match quad.detail[0] as u8 {
+        0 => ("M0-.75V.7M-.52 .16L0 .72 .52 .16", None),
+        1 => (around, None),
+        2 => (around, Some("scale(-1 1)")),
+        _ => ("M0-.66V.66M-.42 .32L0 .78 .42 .32M-.42-.32L0-.78 .42-.32", None),
     };
-    figure(quad, parts)
+    html! { <path d={d} transform={mirror} fill="none" stroke={css(quad.fill)} stroke-width=".3" stroke-linecap="round" /> }
 }
 
 fn letter(quad: &Quad) -> Html {
@@ -92,6 +143,13 @@ fn letter(quad: &Quad) -> Html {
                 fill={css(quad.ink)} aria-hidden="true">{ sign.to_ascii_uppercase() }</text>
         </>
     }
+}
+
+/// A thing, as transparent as its fill.
+fn icon(quad: &Quad, parts: fn(&Quad) -> Html) -> Html {
+    let Rgba([.., opacity]) = quad.fill;
+    let opaque = Quad { fill: quad.fill.alpha(1.0), ink: quad.ink.alpha(1.0), ..*quad };
+    html! { <g opacity={(opacity < 1.0).then(|| opacity.to_string())}>{ figure(&opaque, parts(&opaque)) }</g> }
 }
 
 /// Parts in the figure's own square, outlined in ink.
