@@ -4,6 +4,7 @@
 pub mod action;
 pub mod world;
 pub mod playback;
+pub mod point;
 pub mod engine;
 pub mod corpus;
 pub mod files;

@@ -1,29 +1,42 @@
 //! The world's picture, moving: drawn by the renderer once it has come, as SVG until then and where there is no
 //! GPU or it was lost. A step glides from cell to cell; a jump, or a person who prefers less motion, does not.
+//! Nothing is built or drawn while nothing changes. A pointer is told in cells.
 
 use super::{host, sketch};
 use crate::domain::State;
 use crate::render::link::{self, LinkError, View};
-use crate::render::{Motion, Options, Scene, Theme};
+use crate::render::{Extent, Fit, Motion, Options, Scene};
 use crate::ui::describe;
-use crate::ui::playback::STEP_MS;
+use crate::ui::point::{Point, PointKind};
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen_futures::spawn_local;
-use web_sys::{HtmlCanvasElement, ResizeObserver};
-use yew::{Component, Context, Html, NodeRef, Properties, html};
+use web_sys::{Element, HtmlCanvasElement, PointerEvent, ResizeObserver};
+use yew::{AttrValue, Callback, Component, Context, Html, NodeRef, Properties, classes, html};
 
-/// How long a step glides: a little less than it lasts.
-const GLIDE_MS: f64 = STEP_MS as f64 - 30.0;
+/// A step glides for this share of the time that it lasts.
+const GLIDE: f64 = 0.9;
 
 /// So many canvases are tried before the page stays with SVG.
 const CANVASES: u32 = 2;
 
 #[derive(PartialEq, Properties)]
 pub(super) struct Props {
+    /// What is shown.
     pub(super) shown: State,
-    pub(super) theme: Theme,
+    /// How.
+    pub(super) options: Options,
     pub(super) reduced_motion: bool,
+    /// Milliseconds from one step to the next.
+    pub(super) step_ms: u32,
+    /// What the picture is, in words.
+    pub(super) label: AttrValue,
+    /// Whether things can be dragged: a finger then draws instead of scrolling the page.
+    #[prop_or_default]
+    pub(super) interactive: bool,
+    /// Told what a pointer does.
+    #[prop_or_default]
+    pub(super) on_point: Callback<Point>,
 }
 
 pub(super) enum Message {
@@ -31,10 +44,12 @@ pub(super) enum Message {
     Lost(u32),
     Frame,
     Resized,
+    Pointer(PointKind, PointerEvent),
 }
 
 /// The stage's picture.
 pub(super) struct Canvas {
+    stage: NodeRef,
     node: NodeRef,
     /// Which canvas this is: a lost one is replaced by a fresh one.
     canvas: u32,
@@ -42,6 +57,10 @@ pub(super) struct Canvas {
     given: Option<u32>,
     view: Option<View>,
     motion: Option<(Motion, f64)>,
+    /// The pointer that is held down.
+    held: Option<i32>,
+    /// The cell that a pointer was last over.
+    over: Option<(i32, i32)>,
     /// Whether a frame has been asked for.
     awaited: bool,
     observer: Option<Observer>,
@@ -65,11 +84,14 @@ impl Component for Canvas {
 
     fn create(_ctx: &Context<Self>) -> Canvas {
         Canvas {
+            stage: NodeRef::default(),
             node: NodeRef::default(),
             canvas: 0,
             given: None,
             view: None,
             motion: None,
+            held: None,
+            over: None,
             awaited: false,
             observer: None,
         }
@@ -79,11 +101,23 @@ impl Component for Canvas {
         let new = ctx.props();
         if old.shown != new.shown {
             let motion = Motion::between(&old.shown, &new.shown);
-            let glides = !new.reduced_motion && one_step(&old.shown, &new.shown);
-            self.motion = glides.then(|| (motion, host::now()));
+            // What a hand has put down is there already.
+            let walked = old.options.ghost.is_none() && one_step(&old.shown, &new.shown);
+            self.motion = (walked && !new.reduced_motion).then(|| (motion, host::now()));
             self.next_frame(ctx);
         }
-        true
+        // Whom to tell is asked when there is something to tell.
+        let Props {
+            shown,
+            options,
+            label,
+            interactive,
+            reduced_motion: _,
+            step_ms: _,
+            on_point: _,
+        } = new;
+        (shown, options, label, interactive)
+            != (&old.shown, &old.options, &old.label, &old.interactive)
     }
 
     fn update(&mut self, ctx: &Context<Self>, message: Message) -> bool {
@@ -108,7 +142,8 @@ impl Component for Canvas {
             Message::Attached(..) | Message::Lost(_) => false,
             Message::Frame => {
                 self.awaited = false;
-                let over = |(_, begun): &(Motion, f64)| host::now() - begun >= GLIDE_MS;
+                let glide_ms = glide_ms(ctx);
+                let over = |(_, begun): &(Motion, f64)| host::now() - begun >= glide_ms;
                 let ended = self.motion.take_if(|motion| over(motion)).is_some();
                 if self.motion.is_some() {
                     self.next_frame(ctx);
@@ -123,25 +158,34 @@ impl Component for Canvas {
                 self.paint(ctx);
                 false
             }
+            Message::Pointer(kind, event) => {
+                self.point(ctx, kind, &event);
+                false
+            }
         }
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let shown = &ctx.props().shown;
-        let scene = self.scene(ctx);
+        let Props { shown, label, interactive, .. } = ctx.props();
         let backend = self.view.as_ref().map_or_else(|| "svg".to_owned(), View::backend);
         let drawn = self.view.is_some();
+        let pointer =
+            |kind| ctx.link().callback(move |event: PointerEvent| Message::Pointer(kind, event));
         html! {
-            <div class="stage" data-testid="stage" data-backend={backend}
+            <div ref={self.stage.clone()} class={classes!("stage", interactive.then_some("interactive"))}
+                onpointerdown={pointer(PointKind::Down)} onpointermove={pointer(PointKind::Move)}
+                onpointerup={pointer(PointKind::Up)} onpointerleave={pointer(PointKind::Leave)}
+                onpointercancel={pointer(PointKind::Leave)}
+                data-testid="stage" data-backend={backend}
                 data-still={self.motion.is_none().to_string()}
                 data-robot-x={shown.agent.x.to_string()} data-robot-y={shown.agent.y.to_string()}
                 data-robot-place={describe::place(shown, shown.agent.x, shown.agent.y)}>
                 if self.canvas < CANVASES {
                     <canvas key={self.canvas} ref={self.node.clone()} aria-hidden="true" />
                 }
-                <svg class="picture" role="img" aria-label={describe::world(shown)}
-                    viewBox={sketch::view_box(&scene)}>
-                    if !drawn { { sketch::quads(&scene) } }
+                <svg class="picture" role="img" aria-label={label.clone()}
+                    viewBox={sketch::view_box(&Extent::of(shown))}>
+                    if !drawn { { sketch::quads(&self.scene(ctx)) } }
                 </svg>
             </div>
         }
@@ -164,15 +208,41 @@ impl Component for Canvas {
 
 impl Canvas {
     fn scene(&self, ctx: &Context<Self>) -> Scene {
-        let Props { shown, theme, .. } = ctx.props();
-        let options = Options { theme: *theme, letters: true, ..Options::default() };
+        let Props { shown, options, .. } = ctx.props();
         match &self.motion {
             Some((motion, begun)) => {
-                let t = ((host::now() - begun) / GLIDE_MS) as f32;
-                motion.scene_at(t, &options)
+                motion.scene_at(((host::now() - begun) / glide_ms(ctx)) as f32, options)
             }
-            None => Scene::of(shown, &options),
+            None => Scene::of(shown, options),
         }
+    }
+
+    /// Tells what a pointer does, and holds on to one that drags beyond the picture's edge.
+    fn point(&mut self, ctx: &Context<Self>, kind: PointKind, event: &PointerEvent) {
+        let Props { shown, interactive, on_point, .. } = ctx.props();
+        let Some(stage) = self.stage.cast::<Element>() else { return };
+        let ours = |held: Option<i32>| held.is_none_or(|id| id == event.pointer_id());
+        if !ours(self.held) || kind == PointKind::Down && event.button() != 0 {
+            return;
+        }
+        let rect = stage.get_bounding_client_rect();
+        let fit = Fit::new(Extent::of(shown), rect.width() as f32, rect.height() as f32);
+        let x = (f64::from(event.client_x()) - rect.left()) as f32;
+        let y = (f64::from(event.client_y()) - rect.top()) as f32;
+        let cell = fit.cell(x, y);
+        match kind {
+            PointKind::Down if *interactive => {
+                self.held = Some(event.pointer_id());
+                // A pointer that is gone already needs no holding.
+                let _ = stage.set_pointer_capture(event.pointer_id());
+            }
+            PointKind::Move if self.held.is_none() && self.over == Some(cell) => return,
+            PointKind::Up | PointKind::Leave => self.held = None,
+            PointKind::Down | PointKind::Move => {}
+        }
+        self.over = (kind != PointKind::Leave).then_some(cell);
+        let [x, y] = fit.point(x, y);
+        on_point.emit(Point { kind, x, y, cell });
     }
 
     fn paint(&self, ctx: &Context<Self>) {
@@ -213,8 +283,17 @@ impl Canvas {
     }
 }
 
+/// How long a step glides.
+fn glide_ms(ctx: &Context<Canvas>) -> f64 {
+    f64::from(ctx.props().step_ms.max(1)) * GLIDE
+}
+
 /// Whether the way is one that can be walked in a step: anything further is a jump.
 fn one_step(before: &State, after: &State) -> bool {
     let (a, b) = (&before.agent, &after.agent);
-    before.rooms == after.rooms && a.x.abs_diff(b.x) + a.y.abs_diff(b.y) <= 1
+    let near = |[ax, ay]: [i32; 2], [bx, by]: [i32; 2]| ax.abs_diff(bx) + ay.abs_diff(by) <= 1;
+    let same = |name: &str| before.objects.iter().find(|o| o.name == name);
+    before.rooms == after.rooms
+        && after.objects.iter().all(|o| same(&o.name).is_none_or(|b| near([b.x, b.y], [o.x, o.y])))
+        && near([a.x, a.y], [b.x, b.y])
 }

@@ -3,7 +3,9 @@
 use super::canvas::Canvas;
 use super::cells::Cells;
 use crate::domain::State;
+use crate::render::Options;
 use crate::ui::action::Preferences;
+use crate::ui::playback::STEP_MS;
 use crate::ui::world::WORLDS;
 use crate::ui::{Action, describe};
 use yew::{Callback, Html, Properties, component, html};
@@ -21,6 +23,7 @@ pub(super) struct Props {
 #[component]
 pub(super) fn Stage(props: &Props) -> Html {
     let Props { shown, choice, can_undo, preferences, act } = props;
+    let options = Options { theme: preferences.theme, letters: true, ..Options::default() };
     html! {
         <>
             <div class="card-head">
@@ -33,8 +36,8 @@ pub(super) fn Stage(props: &Props) -> Html {
                     }) }
                 </div>
             </div>
-            <Canvas shown={shown.clone()} theme={preferences.theme}
-                reduced_motion={preferences.reduced_motion} />
+            <Canvas shown={shown.clone()} options={options} step_ms={STEP_MS}
+                label={describe::world(shown)} reduced_motion={preferences.reduced_motion} />
             <div class="caption">
                 <p data-testid="robot-place">{ describe::robot(shown) }</p>
                 <div class="buttons">
