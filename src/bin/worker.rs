@@ -1,6 +1,6 @@
-//! The page's engine, in a dedicated worker. Empty natively.
+//! The page's talker, in a dedicated worker. Empty natively.
 
 fn main() {
     #[cfg(target_arch = "wasm32")]
-    groundling::worker::agent::listen();
+    groundling::worker::agent::listen::<groundling::worker::Talker>();
 }

@@ -2,7 +2,7 @@
 //! a test plays actions and reads effects, with no browser.
 
 use crate::render::Theme;
-use crate::worker::protocol::{Envelope, Event, Request};
+use crate::worker::protocol::{Envelope, Event, Program, Request};
 
 /// What the person's system asks of every page.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -20,14 +20,14 @@ pub enum Action {
     Opened,
     /// What the person prefers is known, or has changed.
     Prefers(Preferences),
-    /// The engine sent a message.
-    Heard(Envelope<Event>),
-    /// The engine could not be loaded or died; the text says how.
-    EngineBroke(String),
+    /// An engine sent a message.
+    Heard(Program, Envelope<Event>),
+    /// An engine could not be loaded or died; the text says how.
+    EngineBroke(Program, String),
     /// A timer ran out.
     Rang(Timer),
     /// A person asked for a new engine.
-    RestartEngine,
+    RestartEngine(Program),
 
     /// A file was opened and read as text.
     FileRead {
@@ -78,9 +78,9 @@ pub enum Action {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Effect {
     /// Start a new engine, ending the one there is.
-    SpawnEngine,
-    /// Send the engine a message.
-    Post(Envelope<Request>),
+    SpawnEngine(Program),
+    /// Send an engine a message.
+    Post(Program, Envelope<Request>),
     /// Ring after so many milliseconds.
     StartTimer(Timer, u32),
     /// Bring the room into view.
@@ -99,6 +99,6 @@ pub enum Effect {
 pub enum Timer {
     /// The next step of the plan that is played.
     Play(u32),
-    /// Time to see whether the engine still answers.
-    Watch(u32),
+    /// Time to see whether an engine still answers.
+    Watch(Program, u32),
 }

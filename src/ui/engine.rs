@@ -1,8 +1,9 @@
-//! What the page knows of its engine: whether it lives, what it is doing, and what it is to do next. The
-//! engine does one thing at a time, so requests wait here; a watch notices when it no longer answers.
+//! What the page knows of an engine: whether it lives, what it is doing, and what it is to do next. An engine is
+//! started when something is asked of it and does one thing at a time, so requests wait here; a watch notices when it
+//! no longer answers.
 
 use super::action::{Effect, Timer};
-use crate::worker::protocol::{Envelope, Request, VERSION};
+use crate::worker::protocol::{Envelope, Program, Request, VERSION};
 use std::collections::VecDeque;
 
 /// Milliseconds between two looks at a busy engine.
@@ -14,6 +15,8 @@ const PATIENCE: u32 = 4;
 /// Whether the engine lives.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Health {
+    /// Nothing was asked of it yet.
+    Asleep,
     /// It is being loaded.
     Starting,
     /// It answers.
@@ -34,6 +37,7 @@ pub struct Pending {
 /// The engine as the page sees it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Engine {
+    program: Program,
     /// Whether it lives.
     pub health: Health,
     /// What it is doing.
@@ -45,10 +49,11 @@ pub struct Engine {
 }
 
 impl Engine {
-    /// An engine that is being loaded.
-    pub fn starting() -> Engine {
+    /// An engine that nothing was asked of yet.
+    pub fn new(program: Program) -> Engine {
         Engine {
-            health: Health::Starting,
+            program,
+            health: Health::Asleep,
             pending: None,
             waiting: VecDeque::new(),
             last_id: 0,
@@ -57,20 +62,23 @@ impl Engine {
         }
     }
 
-    /// Whether it is training, or will be as soon as it can.
-    pub fn training(&self) -> bool {
-        let train = |r: &Request| matches!(r, Request::Train { .. });
-        self.pending.as_ref().is_some_and(|p| train(&p.request)) || self.waiting.iter().any(train)
+    /// Has it loaded, if it is not yet.
+    pub fn wake(&mut self, effects: &mut Vec<Effect>) {
+        if self.health == Health::Asleep {
+            self.health = Health::Starting;
+            effects.push(Effect::SpawnEngine(self.program));
+        }
     }
 
-    /// Whether a command is being answered.
-    pub fn asking(&self) -> bool {
-        let ask = |r: &Request| matches!(r, Request::Ask { .. });
-        self.pending.as_ref().is_some_and(|p| ask(&p.request)) || self.waiting.iter().any(ask)
+    /// Whether it is at such a request, or will be as soon as it can.
+    pub fn is_at(&self, such: impl Fn(&Request) -> bool) -> bool {
+        let at_work = self.pending.as_ref().map(|pending| &pending.request);
+        at_work.into_iter().chain(&self.waiting).any(such)
     }
 
     /// Sends a request as soon as the engine is free; an `urgent` one goes before all that wait.
     pub fn send(&mut self, request: Request, urgent: bool, effects: &mut Vec<Effect>) {
+        self.wake(effects);
         if urgent {
             self.waiting.push_front(request);
         } else {
@@ -87,7 +95,7 @@ impl Engine {
     /// Asks the engine to stop what it is doing.
     pub fn cancel(&mut self, effects: &mut Vec<Effect>) {
         if let Some(pending) = &self.pending {
-            effects.push(post(pending.id, Request::Cancel));
+            effects.push(self.post(pending.id, Request::Cancel));
         }
     }
 
@@ -128,8 +136,8 @@ impl Engine {
         if self.silent > PATIENCE {
             return true;
         }
-        effects.push(post(0, Request::Ping));
-        effects.push(Effect::StartTimer(Timer::Watch(self.watch), WATCH_MS));
+        effects.push(self.post(0, Request::Ping));
+        effects.push(Effect::StartTimer(Timer::Watch(self.program, self.watch), WATCH_MS));
         false
     }
 
@@ -142,12 +150,12 @@ impl Engine {
         let id = self.last_id;
         self.silent = 0;
         self.watch = self.watch.wrapping_add(1);
-        effects.push(post(id, request.clone()));
-        effects.push(Effect::StartTimer(Timer::Watch(self.watch), WATCH_MS));
+        effects.push(self.post(id, request.clone()));
+        effects.push(Effect::StartTimer(Timer::Watch(self.program, self.watch), WATCH_MS));
         self.pending = Some(Pending { id, request });
     }
-}
 
-fn post(id: u32, body: Request) -> Effect {
-    Effect::Post(Envelope { groundling: VERSION, id, body })
+    fn post(&self, id: u32, body: Request) -> Effect {
+        Effect::Post(self.program, Envelope { groundling: VERSION, id, body })
+    }
 }

@@ -10,8 +10,8 @@ use super::world::World;
 use super::{describe, why};
 use crate::domain::State as WorldState;
 use crate::worker::protocol::{
-    Answer, Envelope, Event, PlanText, Problem, Progress, Request, SeedLexicon, TrainReport,
-    TrainSettings, VERSION, WorldRules,
+    Answer, Envelope, Event, PlanText, Problem, Program, Progress, Request, SeedLexicon,
+    TrainReport, TrainSettings, VERSION, WorldRules,
 };
 use std::rc::Rc;
 
@@ -22,8 +22,10 @@ pub const SETTINGS: TrainSettings =
 /// All that the page knows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct State {
-    /// The engine.
-    pub engine: Engine,
+    /// The engine that talks.
+    pub talker: Engine,
+    /// The engine that learns.
+    pub learner: Engine,
     /// The corpus that is open.
     pub corpus: Option<Corpus>,
     /// What is wrong with the file that was opened last: words, and problems by line.
@@ -73,7 +75,8 @@ impl State {
     /// A page that has not opened yet.
     pub fn new() -> State {
         State {
-            engine: Engine::starting(),
+            talker: Engine::new(Program::Talker),
+            learner: Engine::new(Program::Learner),
             corpus: None,
             file_notice: None,
             progress: None,
@@ -97,13 +100,30 @@ impl State {
 
     /// Whether a command can be sent.
     pub fn can_ask(&self) -> bool {
-        self.model.is_some() && self.engine.health == Health::Ready && !self.engine.training()
+        self.model.is_some() && self.talker.health == Health::Ready && !self.is_training()
     }
 
     /// Whether training can begin.
     pub fn can_train(&self) -> bool {
         let rows = self.corpus.as_ref().map_or(0, |c| c.report.rows.len());
-        rows > 0 && self.engine.health == Health::Ready && !self.engine.training()
+        rows > 0 && self.learner.health == Health::Ready && !self.is_training()
+    }
+
+    /// Whether a parser is being learned, or will be as soon as it can.
+    pub fn is_training(&self) -> bool {
+        self.learner.is_at(|request| matches!(request, Request::Train { .. }))
+    }
+
+    /// Whether a command is being answered.
+    pub fn is_asking(&self) -> bool {
+        self.talker.is_at(|request| matches!(request, Request::Ask { .. }))
+    }
+
+    fn engine(&mut self, program: Program) -> &mut Engine {
+        match program {
+            Program::Talker => &mut self.talker,
+            Program::Learner => &mut self.learner,
+        }
     }
 
     fn say(&mut self, words: impl Into<String>) {
@@ -137,25 +157,25 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
     match action {
         Action::Prefers(preferences) => state.preferences = preferences,
         Action::Opened => {
-            effects.push(Effect::SpawnEngine);
+            state.talker.wake(&mut effects);
             read_corpus(state, DEMO_NAME.to_owned(), DEMO.to_owned(), &mut effects);
         }
-        Action::Heard(envelope) => heard(state, envelope, &mut effects),
-        Action::EngineBroke(why) => stopped(state, why),
-        Action::Rang(Timer::Watch(watch)) => {
-            if state.engine.look(watch, &mut effects) {
-                stopped(state, "It has not answered for some seconds.".to_owned());
+        Action::Heard(program, envelope) => heard(state, program, envelope, &mut effects),
+        Action::EngineBroke(program, why) => stopped(state, program, why),
+        Action::Rang(Timer::Watch(program, watch)) => {
+            if state.engine(program).look(watch, &mut effects) {
+                stopped(state, program, "It has not answered for some seconds.".to_owned());
             }
         }
         Action::Rang(Timer::Play(play)) if play == state.play => advance(state, &mut effects),
         Action::Rang(Timer::Play(_)) => {}
-        Action::RestartEngine => restart(state, &mut effects),
+        Action::RestartEngine(program) => restart(state, program, &mut effects),
 
         Action::FileRead { name, text } => match files::kind(&name, &text) {
             Kind::Corpus => read_corpus(state, name, text, &mut effects),
             Kind::Model => {
                 state.model_notice = None;
-                state.engine.send(Request::OpenModel { text }, true, &mut effects);
+                state.talker.send(Request::OpenModel { text }, true, &mut effects);
             }
         },
         Action::FileRefused(message) => {
@@ -179,7 +199,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
                 state.say("Training has begun.");
                 let is_demo = state.corpus.as_ref().is_some_and(Corpus::is_demo);
                 let train = Request::Train { lexicon: lexicon(is_demo), settings: SETTINGS };
-                state.engine.send(train, true, &mut effects);
+                state.learner.send(train, true, &mut effects);
             }
         }
         Action::CancelTraining => cancel_training(state, &mut effects),
@@ -237,23 +257,23 @@ fn lexicon(is_demo: bool) -> SeedLexicon {
 
 fn read_corpus(state: &mut State, name: String, text: String, effects: &mut Vec<Effect>) {
     state.file_notice = None;
-    state.engine.retain(|r| !matches!(r, Request::ShowRow { .. } | Request::ReadCorpus { .. }));
-    state.engine.send(Request::ReadCorpus { name, text }, false, effects);
+    state.learner.retain(|r| !matches!(r, Request::ShowRow { .. } | Request::ReadCorpus { .. }));
+    state.learner.send(Request::ReadCorpus { name, text }, false, effects);
 }
 
 fn toggle_row(state: &mut State, row: usize, effects: &mut Vec<Effect>) {
     let Some(corpus) = &mut state.corpus else { return };
     corpus.open = (corpus.open != Some(row)).then_some(row);
     if corpus.open.is_some() && !corpus.pairs.contains_key(&row) {
-        state.engine.send(Request::ShowRow { row }, false, effects);
+        state.learner.send(Request::ShowRow { row }, false, effects);
     }
 }
 
 fn cancel_training(state: &mut State, effects: &mut Vec<Effect>) {
-    state.engine.retain(|r| !matches!(r, Request::Train { .. }));
-    let at_work = state.engine.pending.as_ref();
+    state.learner.retain(|r| !matches!(r, Request::Train { .. }));
+    let at_work = state.learner.pending.as_ref();
     if at_work.is_some_and(|p| matches!(p.request, Request::Train { .. })) {
-        state.engine.cancel(effects);
+        state.learner.cancel(effects);
     }
 }
 
@@ -263,61 +283,78 @@ fn ask(state: &mut State, effects: &mut Vec<Effect>) {
     }
     state.settle();
     state.ask_notice = None;
-    state.engine.retain(|r| !matches!(r, Request::Ask { .. }));
+    state.talker.retain(|r| !matches!(r, Request::Ask { .. }));
     let (command, world) = (state.command.clone(), state.world.current.clone());
-    state.engine.send(
+    state.talker.send(
         Request::Ask { command, state: world, rules: WorldRules::default() },
         true,
         effects,
     );
 }
 
-/// A new engine knows nothing: it is given the corpus and the model again.
-fn restart(state: &mut State, effects: &mut Vec<Effect>) {
-    state.engine = Engine::starting();
-    state.progress = None;
-    effects.push(Effect::SpawnEngine);
-    let (name, text) = match &state.corpus {
-        Some(corpus) => (corpus.report.name.clone(), corpus.text.to_string()),
-        None => (DEMO_NAME.to_owned(), DEMO.to_owned()),
-    };
-    state.engine.send(Request::ReadCorpus { name, text }, false, effects);
-    if let Some(model) = &state.model {
-        let text = model.report.model.clone();
-        state.engine.send(Request::OpenModel { text }, false, effects);
+/// A new engine knows nothing: it is given the corpus or the model again.
+fn restart(state: &mut State, program: Program, effects: &mut Vec<Effect>) {
+    *state.engine(program) = Engine::new(program);
+    state.engine(program).wake(effects);
+    match program {
+        Program::Talker => open_model(state, effects),
+        Program::Learner => {
+            state.progress = None;
+            let (name, text) = match &state.corpus {
+                Some(corpus) => (corpus.report.name.clone(), corpus.text.to_string()),
+                None => (DEMO_NAME.to_owned(), DEMO.to_owned()),
+            };
+            state.learner.send(Request::ReadCorpus { name, text }, false, effects);
+        }
     }
     state.say("The engine is being started again.");
 }
 
-fn stopped(state: &mut State, why: String) {
-    state.engine.stop(why);
-    state.progress = None;
+/// Gives the talker the model that there is.
+fn open_model(state: &mut State, effects: &mut Vec<Effect>) {
+    if let Some(model) = &state.model {
+        let text = model.report.model.clone();
+        state.talker.send(Request::OpenModel { text }, true, effects);
+    }
+}
+
+fn stopped(state: &mut State, program: Program, why: String) {
+    state.engine(program).stop(why);
+    if program == Program::Learner {
+        state.progress = None;
+    }
     state.say("The engine has stopped. What you loaded is kept; it can be started again.");
 }
 
-fn heard(state: &mut State, envelope: Envelope<Event>, effects: &mut Vec<Effect>) {
+fn heard(
+    state: &mut State,
+    program: Program,
+    envelope: Envelope<Event>,
+    effects: &mut Vec<Effect>,
+) {
     if envelope.groundling != VERSION {
         let why = "Page and engine are of different versions. Load the page again.";
-        return stopped(state, why.to_owned());
+        return stopped(state, program, why.to_owned());
     }
-    if matches!(state.engine.health, Health::Stopped(_)) {
+    let engine = state.engine(program);
+    if matches!(engine.health, Health::Stopped(_)) {
         return;
     }
-    state.engine.heard();
+    engine.heard();
     let id = envelope.id;
     match envelope.body {
-        Event::Ready => state.engine.ready(effects),
+        Event::Ready => engine.ready(effects),
         Event::Pong => {}
-        Event::Crashed { message } => stopped(state, message),
+        Event::Crashed { message } => stopped(state, program, message),
         Event::Progress(progress) => {
-            if state.engine.pending.as_ref().is_some_and(|p| p.id == id) {
+            if engine.pending.as_ref().is_some_and(|p| p.id == id) {
                 state.progress = Some(progress);
             }
         }
         // Nothing on the page shows how far these are.
         Event::Experimenting(_) | Event::Planning(_) | Event::RollingOut(_) => {}
         end => {
-            if let Some(request) = state.engine.finish(id, effects) {
+            if let Some(request) = engine.finish(id, effects) {
                 finished(state, request, end, effects);
             }
         }
@@ -340,6 +377,7 @@ fn finished(state: &mut State, request: Request, event: Event, effects: &mut Vec
         (Event::Trained(report) | Event::Opened(report), request) => {
             let corpus = state.corpus.as_ref().map(|c| c.report.name.clone());
             let before = state.model.take().filter(|m| m.report.model == report.model);
+            let is_new = matches!(request, Request::Train { .. });
             let origin = match (request, before) {
                 (Request::Train { .. }, _) => corpus.unwrap_or_default(),
                 (_, Some(same)) => same.origin,
@@ -351,6 +389,9 @@ fn finished(state: &mut State, request: Request, event: Event, effects: &mut Vec
             ));
             state.model_notice = None;
             state.model = Some(Model { report: Rc::new(report), origin });
+            if is_new {
+                open_model(state, effects);
+            }
         }
         (Event::Answer(answer), Request::Ask { .. }) => answered(state, *answer, effects),
         (Event::Refused { message }, request) => refused(state, request, message),
@@ -377,7 +418,7 @@ fn opened_corpus(state: &mut State, corpus: Corpus, effects: &mut Vec<Effect>) {
     state.corpus = Some(corpus);
     if report.rows.len() <= SMALL {
         for row in 0..report.rows.len() {
-            state.engine.send(Request::ShowRow { row }, false, effects);
+            state.learner.send(Request::ShowRow { row }, false, effects);
         }
     }
 }

@@ -1,8 +1,8 @@
-//! The engine in its dedicated worker; wasm only. Messages come in as text, the engine is pumped in slices
+//! An engine in its dedicated worker; wasm only. Messages come in as text, the engine is pumped in slices
 //! of some milliseconds, and between slices the worker goes back to its event loop, so that a cancel or a
 //! ping is heard while it works.
 
-use super::job::Engine;
+use super::job::{Engine, Role};
 use super::protocol::{Envelope, Event, Request, VERSION};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -17,31 +17,31 @@ const SLICE_MS: f64 = 12.0;
 /// Milliseconds between two reports of progress: a page that draws each one must not fall behind.
 const REPORT_MS: f64 = 40.0;
 
-/// Takes the worker's messages from now on.
-pub fn listen() {
+/// Takes the worker's messages from now on, in a role.
+pub fn listen<R: Role + 'static>() {
     report_panics();
     let Ok(scope) = js_sys::global().dyn_into::<DedicatedWorkerGlobalScope>() else { return };
-    match Agent::start(&scope) {
+    match Agent::<R>::start(&scope) {
         Ok(()) => post(&scope, 0, Event::Ready),
         Err(error) => post(&scope, 0, Event::Crashed { message: format!("{error:?}") }),
     }
 }
 
 /// The engine, and the channel on which the worker wakes itself.
-struct Agent {
-    engine: RefCell<Engine>,
+struct Agent<R> {
+    engine: RefCell<Engine<R>>,
     scope: DedicatedWorkerGlobalScope,
     wake: MessagePort,
     woken: Cell<bool>,
     reported: Cell<f64>,
 }
 
-impl Agent {
+impl<R: Role + 'static> Agent<R> {
     fn start(scope: &DedicatedWorkerGlobalScope) -> Result<(), JsValue> {
         // A message to oneself comes back after those already waiting, and sooner than any timer.
         let channel = MessageChannel::new()?;
         let agent = Rc::new(Agent {
-            engine: RefCell::new(Engine::new()),
+            engine: RefCell::new(Engine::<R>::new()),
             scope: scope.clone(),
             wake: channel.port2(),
             woken: Cell::new(false),

@@ -2,7 +2,8 @@
 //! command that was never heard is answered; all in bounded steps.
 
 use super::ask::{Asked, Asking};
-use super::job::{ROWS_A_STEP, Work, problem, progress};
+use super::job::Step;
+use super::learner::{ROWS_A_STEP, problem, progress};
 use super::protocol::{
     Confused, CorpusText, Event, Experiment, ExperimentProgress, ExperimentReport, Figures,
     Judgement, Problem, RunPart, RunReport, TaskFigures, WorldRules,
@@ -20,7 +21,7 @@ use std::sync::Arc;
 const MAX_FOLDS: u32 = 1_000;
 
 /// An experiment at work.
-struct Experimenting {
+pub(super) struct Experimenting {
     experiment: Experiment,
     train: Arc<[Example]>,
     config: Config,
@@ -52,42 +53,13 @@ fn experimented(report: &ExperimentReport) -> Event {
     Event::Experimented { report: serde_json::to_string(report).unwrap_or_default() }
 }
 
-/// An experiment that begins, or why it cannot.
-pub(super) fn begin(
-    experiment: Experiment,
-    corpus: &[Example],
-    config: Config,
-) -> Result<Box<dyn Work>, String> {
-    Ok(Box::new(Experimenting::new(experiment, corpus, config)?))
-}
-
-impl Work for Experimenting {
-    fn is_over(&self) -> bool {
-        matches!(self.stage, Stage::Over)
-    }
-
-    fn step(&mut self) -> Option<Event> {
-        match std::mem::replace(&mut self.stage, Stage::Over) {
-            Stage::Read { rows, test } => self.read_on(rows, test),
-            Stage::Run(runs) => self.run_on(runs),
-            Stage::Ask { mut asking, mut model, mut report } => match asking.step(&mut model) {
-                Asked::Working(_) => {
-                    self.stage = Stage::Ask { asking, model, report };
-                    None
-                }
-                Asked::Answered(answer, _) => {
-                    report.answer = Some(*answer);
-                    Some(experimented(&report))
-                }
-                Asked::Failed(error) => Some(Event::Refused { message: error.to_string() }),
-            },
-            Stage::Over => None,
-        }
-    }
-}
-
 impl Experimenting {
-    fn new(experiment: Experiment, corpus: &[Example], config: Config) -> Result<Self, String> {
+    /// An experiment that begins, or why it cannot.
+    pub(super) fn new(
+        experiment: Experiment,
+        corpus: &[Example],
+        config: Config,
+    ) -> Result<Self, String> {
         let lexicon = match experiment {
             Experiment::Demonstration { .. } => DEMONSTRATION_LEXICON,
             _ => CLEANUP_LEXICON,
@@ -113,6 +85,30 @@ impl Experimenting {
             }
         };
         Ok(Experimenting { experiment, train, config, seed, problems: Vec::new(), stage })
+    }
+
+    /// Does a bounded part.
+    pub(super) fn step(&mut self) -> Step {
+        let said = match std::mem::replace(&mut self.stage, Stage::Over) {
+            Stage::Read { rows, test } => self.read_on(rows, test),
+            Stage::Run(runs) => self.run_on(runs),
+            Stage::Ask { mut asking, mut model, mut report } => match asking.step(&mut model) {
+                Asked::Working(_) => {
+                    self.stage = Stage::Ask { asking, model, report };
+                    None
+                }
+                Asked::Answered(answer, _) => {
+                    report.answer = Some(*answer);
+                    Some(experimented(&report))
+                }
+                Asked::Failed(error) => Some(Event::Refused { message: error.to_string() }),
+            },
+            Stage::Over => None,
+        };
+        match (said, &self.stage) {
+            (said, Stage::Over) => Step::Over(said.unwrap_or(Event::Cancelled)),
+            (said, _) => Step::Working(said),
+        }
     }
 
     fn read_on(&mut self, mut rows: Box<Rows<Cursor<Vec<u8>>>>, mut test: Corpus) -> Option<Event> {

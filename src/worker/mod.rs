@@ -1,4 +1,5 @@
-//! The engine behind the page: one protocol, one job, pumped by the page's worker, tests and benches alike.
+//! The engines behind the page: one protocol, two programs (one talks, one learns), each one job at a time, pumped by
+//! the page's workers, tests and benches alike.
 
 pub mod protocol;
 mod plan;
@@ -6,9 +7,13 @@ mod watch;
 mod world;
 mod read;
 mod ask;
-mod experiment;
 pub mod job;
+mod talker;
+mod experiment;
+mod learner;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;
 
 pub use job::Engine;
+pub use learner::Learner;
+pub use talker::Talker;

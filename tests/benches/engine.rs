@@ -19,8 +19,9 @@ use groundling::logic::{Terms, print, read};
 use groundling::mdp::{Settings, Solver};
 use groundling::plan::AStar;
 use groundling::render::{Arrow, Options, Scene};
-use groundling::worker::job::Engine;
+use groundling::worker::job::Role;
 use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
+use groundling::worker::{Engine, Learner, Talker};
 use std::hint::black_box;
 
 /// Three rooms on 9 × 9 cells with three objects.
@@ -66,12 +67,12 @@ fn main() {
             black_box(print(&terms, goal));
         }),
         Row::of("train: six sentences, 15 epochs", 10, Some(REFERENCE_SIX), |_| {
-            trained();
+            black_box(trained());
         }),
     ];
-    let mut engine = Engine::new();
-    let steps = steps(&mut engine);
-    rows.push(Row::from_seconds("train: one step (never over 16 ms)", steps));
+    rows.push(Row::from_seconds("train: one step (never over 16 ms)", steps()));
+    let mut engine = Engine::<Talker>::new();
+    pump(&mut engine, Request::OpenModel { text: trained() });
     rows.push(Row::of("answer: parse, ground and plan", 200, None, |round| {
         let state = generate(&Plan::default(), round);
         let command = "go to the blue room".to_owned();
@@ -103,23 +104,26 @@ fn watched() -> Options {
     }
 }
 
-/// Reads and learns the six sentences in a new engine.
-fn trained() -> Engine {
+/// A learner with the six sentences.
+fn learner() -> Engine<Learner> {
     let mut engine = Engine::new();
     let name = "six.csv".to_owned();
     pump(&mut engine, Request::ReadCorpus { name, text: SIX.to_owned() });
-    let last = pump(
-        &mut engine,
-        Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS },
-    );
-    assert!(matches!(last, Some(Event::Trained(_))), "{last:?}");
     engine
 }
 
-/// What each step of training costs, in seconds; the engine is trained then.
-fn steps(engine: &mut Engine) -> Vec<f64> {
-    let name = "six.csv".to_owned();
-    pump(engine, Request::ReadCorpus { name, text: SIX.to_owned() });
+/// The model that a new engine learns from the six sentences.
+fn trained() -> String {
+    let train = Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS };
+    match pump(&mut learner(), train) {
+        Some(Event::Trained(report)) => report.model,
+        other => panic!("no model: {other:?}"),
+    }
+}
+
+/// What each step of training costs, in seconds.
+fn steps() -> Vec<f64> {
+    let mut engine = learner();
     engine.start(1, Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS });
     let mut steps = Vec::new();
     while engine.busy() {
@@ -150,7 +154,7 @@ fn behind_doors() -> Request {
 
 /// What each step of a request costs, in seconds.
 fn job_steps(request: Request) -> Vec<f64> {
-    let mut engine = Engine::new();
+    let mut engine = Engine::<Talker>::new();
     engine.start(1, request);
     let mut steps = Vec::new();
     while engine.busy() {
@@ -160,7 +164,7 @@ fn job_steps(request: Request) -> Vec<f64> {
 }
 
 /// Pumps a request to its end; the last thing that the engine says.
-fn pump(engine: &mut Engine, request: Request) -> Option<Event> {
+fn pump<R: Role>(engine: &mut Engine<R>, request: Request) -> Option<Event> {
     engine.start(1, request);
     let mut last = None;
     while engine.busy() {

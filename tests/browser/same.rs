@@ -9,8 +9,9 @@ use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
 use groundling::mdp::{Mdp, RolloutSettings, Rollouts, Settings, Solver, StartingAt, simulate};
 use groundling::plan::{AnySolver, Auto, SOLVERS};
-use groundling::worker::job::Engine;
+use groundling::worker::job::Role;
 use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
+use groundling::worker::{Engine, Learner, Talker};
 use std::fmt::Write;
 
 /// What the report was when it was last looked at.
@@ -120,15 +121,16 @@ fn planned(out: &mut String) {
     }
 }
 
-/// Trains on the six sentences and asks, through the engine that page and command line pump alike.
+/// Trains on the six sentences and asks, through the engines that the page pumps.
 fn learned(out: &mut String) {
-    let mut engine = Engine::new();
+    let (mut learner, mut talker) = (Engine::<Learner>::new(), Engine::<Talker>::new());
     let name = "six.csv".to_owned();
-    last(&mut engine, Request::ReadCorpus { name, text: CORPUS.to_owned() });
+    last(&mut learner, Request::ReadCorpus { name, text: CORPUS.to_owned() });
     let settings =
         TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
-    match last(&mut engine, Request::Train { lexicon: SeedLexicon::Demonstration, settings }) {
+    match last(&mut learner, Request::Train { lexicon: SeedLexicon::Demonstration, settings }) {
         Some(Event::Trained(report)) => {
+            last(&mut talker, Request::OpenModel { text: report.model });
             writeln!(out, "learned {} of {}", report.valid, report.examples)
         }
         other => writeln!(out, "no model: {other:?}"),
@@ -138,7 +140,7 @@ fn learned(out: &mut String) {
         let state: State = generate(&Plan::default(), seed);
         let request =
             Request::Ask { command: command.to_owned(), state, rules: WorldRules::default() };
-        match last(&mut engine, request) {
+        match last(&mut talker, request) {
             Some(Event::Answer(answer)) => {
                 let reading = answer.readings.first();
                 let form = reading.map_or("nothing", |reading| reading.form.as_str());
@@ -152,7 +154,7 @@ fn learned(out: &mut String) {
 }
 
 /// Pumps a request to its end; the last thing that the engine says.
-fn last(engine: &mut Engine, request: Request) -> Option<Event> {
+fn last<R: Role>(engine: &mut Engine<R>, request: Request) -> Option<Event> {
     engine.start(1, request);
     let mut last = None;
     while engine.busy() {

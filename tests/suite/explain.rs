@@ -4,8 +4,8 @@ use crate::command::{answers, call};
 use groundling::ccg::{ChartConfig, Explanation, Model, Reading, parse};
 use groundling::learn::{CLEANUP_LEXICON, seed_model};
 use groundling::logic::print_human;
-use groundling::worker::Engine;
 use groundling::worker::protocol::{Event, Request};
+use groundling::worker::{Engine, Talker};
 use std::path::PathBuf;
 
 /// Plain, of two commands, with filling words, misspelt, and with a word that is skipped.
@@ -114,7 +114,7 @@ fn the_command_line_explains_the_scores_that_it_prints() {
 
 #[test]
 fn the_engine_explains_the_readings_that_it_shows() {
-    let mut engine = Engine::new();
+    let mut engine = Engine::<Talker>::new();
     engine.start(1, Request::Explain { command: "go".to_owned() });
     assert!(matches!(engine.step(), Some((1, Event::Refused { .. }))));
     engine.start(2, Request::OpenModel { text: model().print() });

@@ -5,10 +5,11 @@ use crate::command::call;
 use groundling::ccg::{ChartConfig, EntryText, Model, parse};
 use groundling::corpus::{Example, Form, Options, read};
 use groundling::learn::{CLEANUP_LEXICON, Config, Taught, Trainer, seed_model, teach};
-use groundling::worker::Engine;
+use groundling::worker::job::Role;
 use groundling::worker::protocol::{
     Event, Fate, Lesson, PairText, Request, TeachReport, WorldRules,
 };
+use groundling::worker::{Engine, Learner, Talker};
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
@@ -159,7 +160,7 @@ fn the_command_line_teaches_into_a_model() {
 }
 
 /// The last thing that the engine says to a request.
-fn last(engine: &mut Engine, request: Request) -> Event {
+fn last<R: Role>(engine: &mut Engine<R>, request: Request) -> Event {
     engine.start(7, request);
     let mut last = None;
     while engine.busy() {
@@ -170,49 +171,56 @@ fn last(engine: &mut Engine, request: Request) -> Event {
     event
 }
 
-fn request(lessons: &[Example]) -> Request {
+fn request(model: &str, lessons: &[Example]) -> Request {
     let pairs = |example: &Example| {
         let pairs = example.pairs.iter();
         pairs.map(|p| PairText { pre: p.pre.clone(), post: p.post.clone() }).collect()
     };
     let lesson = |e: &Example| Lesson { command: e.command.clone(), pairs: pairs(e) };
-    Request::Teach { examples: lessons.iter().map(lesson).collect() }
+    let examples = lessons.iter().map(lesson).collect();
+    Request::Teach { model: model.to_owned(), examples }
 }
 
 #[test]
-fn the_engine_teaches_the_model_it_has() {
-    let mut engine = Engine::new();
-    let refused = |engine: &mut Engine, lessons: &[Example]| match last(engine, request(lessons)) {
+fn the_learner_teaches_the_model_it_is_given() {
+    let mut engine = Engine::<Learner>::new();
+    let before = model().print();
+    let refused = |engine: &mut Engine<Learner>, model: &str, lessons: &[Example]| match last(
+        engine,
+        request(model, lessons),
+    ) {
         Event::Refused { message } => message,
         other => panic!("{other:?}"),
     };
-    let said = refused(&mut engine, &[emerald()]);
-    assert_eq!(said, "There is no model yet: train one, or open a model file.");
-    last(&mut engine, Request::OpenModel { text: model().print() });
+    let said = refused(&mut engine, "nonsense", &[emerald()]);
+    assert!(said.starts_with("The model cannot be read: line 1: "), "{said}");
     let bare = Example { pairs: Vec::new(), ..emerald() };
     assert_eq!(
-        refused(&mut engine, &[bare]),
+        refused(&mut engine, &before, &[bare]),
         "Show what to do when one says \"go to the emerald room\"."
     );
     let many = vec![emerald(); 101];
-    assert_eq!(refused(&mut engine, &many), "Teach between 1 and 100 commands at once.");
+    assert_eq!(refused(&mut engine, &before, &many), "Teach between 1 and 100 commands at once.");
 
-    let command = "walk into the emerald room".to_owned();
-    let state = emerald().pairs[0].pre.clone();
-    let ask = Request::Ask { command, state, rules: WorldRules::default() };
-    let answer = |engine: &mut Engine| match last(engine, ask.clone()) {
-        Event::Answer(answer) => *answer,
-        other => panic!("{other:?}"),
+    let mut talker = Engine::<Talker>::new();
+    let mut answer = |model: &str| {
+        last(&mut talker, Request::OpenModel { text: model.to_owned() });
+        let command = "walk into the emerald room".to_owned();
+        let state = emerald().pairs[0].pre.clone();
+        match last(&mut talker, Request::Ask { command, state, rules: WorldRules::default() }) {
+            Event::Answer(answer) => *answer,
+            other => panic!("{other:?}"),
+        }
     };
-    let unknown = answer(&mut engine).words.into_iter().filter(|w| w.fate == Fate::Unknown);
+    let unknown = answer(&before).words.into_iter().filter(|w| w.fate == Fate::Unknown);
     assert!(unknown.map(|word| word.text).eq(["emerald"]));
-    let Event::Taught(report) = last(&mut engine, request(&[emerald()])) else {
+    let Event::Taught(report) = last(&mut engine, request(&before, &[emerald()])) else {
         panic!("it was not taught");
     };
     let TeachReport { model: after, added, understood } = *report;
     assert!(after.model == taught(model(), &[emerald()]).model.print(), "as the library teaches");
     assert!(added.iter().any(|entry| entry.words == "emerald") && understood == [true]);
-    let answer = answer(&mut engine);
+    let answer = answer(&after.model);
     let meant = answer.words.iter().all(|word| word.fate == Fate::Meant);
     assert!(meant && answer.plan.is_some(), "{answer:?}");
 }

@@ -10,8 +10,8 @@ use groundling::ui::world::WORLDS;
 use groundling::ui::{describe, why};
 use groundling::worker::protocol::{
     Answer, Claim, CorpusReport, Envelope, Event, Fate, Noun, PairText, Phrase, Piece, PlanText,
-    Problem, Progress, Reading, Refers, Request, RowSummary, SeedLexicon, TrainReport, VERSION,
-    Word,
+    Problem, Program, Progress, Reading, Refers, Request, RowSummary, SeedLexicon, TrainReport,
+    VERSION, Word,
 };
 
 /// A page and the engine's side of the talk: what was posted and not yet answered.
@@ -47,14 +47,16 @@ impl Page {
         let mut page = Page::with_corpus(6);
         page.act(Action::Train);
         page.answer(Event::Trained(trained("the model")));
+        page.answer(Event::Opened(trained("the model")));
         page
     }
 
     fn act(&mut self, action: Action) {
         for effect in reduce(&mut self.state, action) {
             match effect {
-                Effect::Post(envelope) => {
+                Effect::Post(program, envelope) => {
                     assert_eq!(envelope.groundling, VERSION);
+                    assert!(envelope.body.program().is_none_or(|wanted| wanted == program));
                     self.posted.push((envelope.id, envelope.body));
                 }
                 Effect::StartTimer(timer, ms) => {
@@ -66,15 +68,20 @@ impl Page {
         }
     }
 
+    /// The engines say something: what both can say, both.
     fn hear(&mut self, id: u32, body: Event) {
-        self.act(Action::Heard(Envelope { groundling: VERSION, id, body }));
+        for program in [Program::Talker, Program::Learner] {
+            let body = body.clone();
+            self.act(Action::Heard(program, Envelope { groundling: VERSION, id, body }));
+        }
     }
 
     /// Answers the request posted last.
     #[track_caller]
     fn answer(&mut self, event: Event) {
-        let (id, _) = self.posted.pop().expect("a request is at work");
-        self.hear(id, event);
+        let (id, request) = self.posted.pop().expect("a request is at work");
+        let program = request.program().expect("a request that is one program's");
+        self.act(Action::Heard(program, Envelope { groundling: VERSION, id, body: event }));
     }
 
     /// Rings the timers that were started, until one that plays the plan has rung.
@@ -154,7 +161,7 @@ fn failed(reason: &str) -> Answer {
 #[test]
 fn it_opens_with_its_own_corpus_and_asks_for_every_picture() {
     let mut page = Page::new();
-    assert_eq!(page.others, [Effect::SpawnEngine]);
+    assert_eq!(page.others, [Program::Talker, Program::Learner].map(Effect::SpawnEngine));
     assert!(page.posted.is_empty(), "nothing is sent before the engine is up");
     page.hear(0, Event::Ready);
     let [(id, Request::ReadCorpus { text, .. })] = page.posted.as_slice() else { panic!() };
@@ -283,19 +290,22 @@ fn a_stopped_engine_is_started_again_with_all_it_had() {
     let mut page = Page::taught();
     page.act(Action::Train);
     page.hear(0, Event::Crashed { message: "first".to_owned() });
-    page.act(Action::EngineBroke("second".to_owned()));
-    assert_eq!(page.state.engine.health, Health::Stopped("first".to_owned()));
-    assert!(!page.state.engine.training() && !page.state.can_ask());
+    for program in [Program::Talker, Program::Learner] {
+        page.act(Action::EngineBroke(program, "second".to_owned()));
+    }
+    assert_eq!(page.state.talker.health, Health::Stopped("first".to_owned()));
+    assert_eq!(page.state.learner.health, Health::Stopped("first".to_owned()));
+    assert!(!page.state.is_training() && !page.state.can_ask());
     page.posted.clear();
     page.others.clear();
-    page.act(Action::RestartEngine);
-    assert_eq!(page.others, [Effect::SpawnEngine]);
+    page.act(Action::RestartEngine(Program::Learner));
+    page.act(Action::RestartEngine(Program::Talker));
+    assert_eq!(page.others, [Program::Learner, Program::Talker].map(Effect::SpawnEngine));
     page.hear(0, Event::Ready);
-    assert!(matches!(page.posted.last(), Some((_, Request::ReadCorpus { .. }))));
-    page.answer(Event::Corpus(report("six.csv", 60)));
+    assert!(matches!(page.posted.pop(), Some((_, Request::ReadCorpus { .. }))));
     let model = Request::OpenModel { text: "the model".to_owned() };
     assert_eq!(page.posted.last().map(|p| &p.1), Some(&model));
-    page.answer(Event::Trained(trained("the model")));
+    page.answer(Event::Opened(trained("the model")));
     assert!(page.state.can_ask());
     assert_eq!(page.state.model.as_ref().map(|m| m.origin.as_str()), Some("six.csv"));
 }
@@ -307,16 +317,16 @@ fn an_engine_that_says_nothing_is_given_up() {
     for _ in 0..4 {
         let watch = page.timers.pop().expect("a watch is kept");
         page.act(Action::Rang(watch));
-        assert_eq!(page.state.engine.health, Health::Ready);
+        assert_eq!(page.state.learner.health, Health::Ready);
         assert_eq!(page.posted.pop(), Some((0, Request::Ping)));
     }
     page.hear(0, Event::Pong);
     for _ in 0..5 {
-        assert_eq!(page.state.engine.health, Health::Ready);
+        assert_eq!(page.state.learner.health, Health::Ready);
         let watch = page.timers.pop().expect("a watch is kept");
         page.act(Action::Rang(watch));
     }
-    assert!(matches!(page.state.engine.health, Health::Stopped(_)));
+    assert!(matches!(page.state.learner.health, Health::Stopped(_)));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The engine behind the page, pumped as the page's worker pumps it.
+//! The engines behind the page, pumped as the page's workers pump them.
 
 #[path = "worker/answers.rs"]
 mod answers;
@@ -15,8 +15,9 @@ mod worlds;
 
 use crate::learn::{SIX, six};
 use groundling::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
-use groundling::worker::Engine;
-use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
+use groundling::worker::job::Role;
+use groundling::worker::protocol::{Event, Program, Request, SeedLexicon, TrainSettings};
+use groundling::worker::{Engine, Learner, Talker};
 
 /// The steps that may pass without a word: a search of two million states at 2,000 a step takes a thousand.
 const MOST_SILENT_STEPS: usize = 1_010;
@@ -35,7 +36,7 @@ fn corpus(name: &str, text: &str) -> Request {
 
 /// Steps until there is something to say.
 #[track_caller]
-fn next(engine: &mut Engine) -> (u32, Event) {
+fn next<R: Role>(engine: &mut Engine<R>) -> (u32, Event) {
     for _ in 0..MOST_SILENT_STEPS {
         assert!(engine.busy(), "nothing is at work, and nothing was said");
         if let Some(event) = engine.step() {
@@ -47,7 +48,7 @@ fn next(engine: &mut Engine) -> (u32, Event) {
 
 /// Everything that a request brings about.
 #[track_caller]
-fn pump(engine: &mut Engine, id: u32, request: Request) -> Vec<Event> {
+fn pump<R: Role>(engine: &mut Engine<R>, id: u32, request: Request) -> Vec<Event> {
     engine.start(id, request);
     let mut events = Vec::new();
     while engine.busy() {
@@ -66,33 +67,61 @@ fn only(mut events: Vec<Event>) -> Event {
 }
 
 #[track_caller]
-fn refused(engine: &mut Engine, request: Request) -> String {
+fn refused<R: Role>(engine: &mut Engine<R>, request: Request) -> String {
     match only(pump(engine, 99, request)) {
         Event::Refused { message } => message,
         other => panic!("not refused: {other:?}"),
     }
 }
 
-/// An engine that has learned the six sentences, and the model's text.
-fn taught(epochs: u32) -> (Engine, String) {
-    let mut engine = Engine::with_experiments();
+/// A learner with the six sentences.
+fn learner() -> Engine<Learner> {
+    let mut engine = Engine::new();
     pump(&mut engine, 1, corpus("six.csv", SIX));
-    let Some(Event::Trained(report)) = pump(&mut engine, 2, train(epochs)).pop() else {
+    engine
+}
+
+/// A talker with a model that was learned from the six sentences, and the model's text.
+fn taught(epochs: u32) -> (Engine<Talker>, String) {
+    let Some(Event::Trained(report)) = pump(&mut learner(), 2, train(epochs)).pop() else {
         panic!("it does not end with a model");
     };
+    let mut engine = Engine::new();
+    let open = Request::OpenModel { text: report.model.clone() };
+    assert_eq!(only(pump(&mut engine, 3, open)), Event::Opened(report.clone()));
     (engine, report.model)
 }
 
 #[test]
+fn each_program_refuses_what_is_the_other_s() {
+    let mut seen = [0, 0];
+    for request in messages::requests() {
+        let Some(program) = request.program() else { continue };
+        let said = match program {
+            Program::Talker => refused(&mut Engine::<Learner>::new(), request),
+            Program::Learner => refused(&mut Engine::<Talker>::new(), request),
+        };
+        let others = ["learner", "talker"];
+        let (own, other) = match program {
+            Program::Talker => (others[1], others[0]),
+            Program::Learner => (others[0], others[1]),
+        };
+        assert_eq!(said, format!("This is for the {own}, and was sent to the {other}."));
+        seen[program as usize] += 1;
+    }
+    assert!(seen.iter().all(|&n| n >= 5), "{seen:?}");
+}
+
+#[test]
 fn a_corpus_is_read_and_kept_and_a_bad_one_replaces_nothing() {
-    let mut engine = Engine::new();
+    let mut engine = Engine::<Learner>::new();
     let Event::Corpus(report) = only(pump(&mut engine, 1, corpus("six.csv", SIX))) else {
         panic!("no report");
     };
     assert_eq!((report.rows.len(), report.rejected), (6, 0));
     assert!(report.problems.is_empty(), "{:?}", report.problems);
     assert_eq!(report.rows[0].command, six()[0].command);
-    let show = |engine: &mut Engine, row| only(pump(engine, 2, Request::ShowRow { row }));
+    let show = |engine: &mut Engine<Learner>, row| only(pump(engine, 2, Request::ShowRow { row }));
     let first = show(&mut engine, 0);
     let Event::Row { row: 0, pairs } = &first else { panic!("{first:?}") };
     assert_eq!(pairs[0].pre, six()[0].pairs[0].pre);
@@ -129,7 +158,7 @@ fn a_corpus_is_read_and_kept_and_a_bad_one_replaces_nothing() {
 
 #[test]
 fn training_needs_a_corpus_and_settings_that_can_be() {
-    let mut engine = Engine::new();
+    let mut engine = Engine::<Learner>::new();
     let said = refused(&mut engine, train(1));
     assert_eq!(said, "There is nothing to learn from: load a corpus first.");
     pump(&mut engine, 1, corpus("six.csv", SIX));
@@ -157,7 +186,7 @@ fn training_needs_a_corpus_and_settings_that_can_be() {
 
 #[test]
 fn training_reports_every_example_and_ends_with_the_command_line_s_bytes() {
-    let mut engine = Engine::new();
+    let mut engine = Engine::<Learner>::new();
     pump(&mut engine, 1, corpus("six.csv", SIX));
     let mut events = pump(&mut engine, 2, train(4));
     let Some(Event::Trained(report)) = events.pop() else { panic!("no model") };
@@ -181,7 +210,7 @@ fn training_reports_every_example_and_ends_with_the_command_line_s_bytes() {
 
 #[test]
 fn training_says_something_every_few_steps() {
-    let mut engine = Engine::new();
+    let mut engine = Engine::<Learner>::new();
     pump(&mut engine, 1, corpus("six.csv", SIX));
     engine.start(2, train(4));
     let mut silent = 0;
@@ -203,7 +232,7 @@ fn training_says_something_every_few_steps() {
 
 #[test]
 fn a_ping_is_answered_and_replaces_nothing() {
-    let mut engine = Engine::new();
+    let mut engine = Engine::<Learner>::new();
     assert_eq!(only(pump(&mut engine, 7, Request::Ping)), Event::Pong);
     pump(&mut engine, 1, corpus("six.csv", SIX));
     engine.start(2, train(1));
@@ -219,7 +248,7 @@ fn a_ping_is_answered_and_replaces_nothing() {
 
 #[test]
 fn every_request_that_is_replaced_is_told_so() {
-    let (mut engine, _) = taught(2);
+    let mut engine = learner();
     engine.start(10, train(2));
     next(&mut engine);
     engine.start(11, train(2));

@@ -11,6 +11,7 @@ use super::stage::Stage;
 use super::talk::Talk;
 use super::train::TrainPanel;
 use crate::ui::{Action, State, reduce};
+use crate::worker::protocol::Program;
 use web_sys::DragEvent;
 use yew::{Callback, Component, Context, Html, classes, html};
 
@@ -83,7 +84,8 @@ impl Component for App {
                     <h1>{"Groundling"}</h1>
                     <p>{"Show it what sentences mean. Then tell it what to do."}</p>
                 </header>
-                <EngineNotice health={state.engine.health.clone()} act={act.clone()} />
+                <EngineNotice program={Program::Talker} health={state.talker.health.clone()} act={act.clone()} />
+                <EngineNotice program={Program::Learner} health={state.learner.health.clone()} act={act.clone()} />
                 <main class="columns">
                     <section id="room" class="card room" aria-labelledby="room-title">
                         <Stage shown={state.shown().clone()} choice={state.world.choice}
@@ -93,13 +95,13 @@ impl Component for App {
                     </section>
                     <div class="column">
                         <TrainPanel progress={state.progress.clone()} model={state.model.clone()}
-                            notice={state.model_notice.clone()} training={state.engine.training()}
+                            notice={state.model_notice.clone()} training={state.is_training()}
                             can_train={state.can_train()}
                             commands={state.corpus.as_ref().map_or(0, |c| c.report.rows.len())}
                             act={act.clone()} />
                         <section class="card" aria-labelledby="talk-title">
                             <Talk command={state.command.clone()} can_ask={state.can_ask()}
-                                asking={state.engine.asking()} taught={state.model.is_some()}
+                                asking={state.is_asking()} taught={state.model.is_some()}
                                 notice={state.ask_notice.clone()} act={act.clone()} />
                             <AnswerPanel answer={state.answer.clone()} />
                         </section>

@@ -3,7 +3,7 @@
 
 use super::host;
 use crate::ui::{Action, Effect};
-use crate::worker::protocol::{Envelope, Event};
+use crate::worker::protocol::{Envelope, Event, Program};
 use gloo_timers::callback::Timeout;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
@@ -11,14 +11,15 @@ use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, MessageEvent, Url, Worke
 use web_sys::{WorkerOptions, WorkerType};
 use yew::Callback;
 
-/// The engine's script, beside the page: its address is made from the document's base, so that it is found
-/// under any path.
+/// The engines' script, beside the page, which is asked for a program by its name: its address is made from the
+/// document's base, so that it is found under any path.
 const SCRIPT: &str = "engine.js";
 
 /// Carries effects out, and tells the page what comes of them.
 pub(super) struct Effects {
     act: Callback<Action>,
-    engine: Option<Engine>,
+    talker: Option<Engine>,
+    learner: Option<Engine>,
 }
 
 /// A live worker with its listeners.
@@ -39,28 +40,32 @@ impl Drop for Engine {
 impl Effects {
     /// Results go to `act`.
     pub(super) fn new(act: Callback<Action>) -> Effects {
-        Effects { act, engine: None }
+        Effects { act, talker: None, learner: None }
     }
 
     /// Carries effects out, in order.
     pub(super) fn run(&mut self, effects: Vec<Effect>) {
         for effect in effects {
+            let program = match &effect {
+                Effect::SpawnEngine(program) | Effect::Post(program, _) => *program,
+                _ => Program::Talker,
+            };
             if let Err(error) = self.carry_out(effect) {
-                self.act.emit(Action::EngineBroke(words(&error)));
+                self.act.emit(Action::EngineBroke(program, words(&error)));
             }
         }
     }
 
     fn carry_out(&mut self, effect: Effect) -> Result<(), JsValue> {
         match effect {
-            Effect::SpawnEngine => {
-                self.engine = None;
-                self.engine = Some(spawn(&self.act)?);
+            Effect::SpawnEngine(program) => {
+                *self.engine(program) = None;
+                *self.engine(program) = Some(spawn(program, &self.act)?);
             }
-            Effect::Post(envelope) => {
+            Effect::Post(program, envelope) => {
                 let text = serde_json::to_string(&envelope)
                     .map_err(|error| JsValue::from_str(&error.to_string()))?;
-                if let Some(engine) = &self.engine {
+                if let Some(engine) = self.engine(program) {
                     engine.worker.post_message(&JsValue::from_str(&text))?;
                 }
             }
@@ -73,12 +78,19 @@ impl Effects {
         }
         Ok(())
     }
+
+    fn engine(&mut self, program: Program) -> &mut Option<Engine> {
+        match program {
+            Program::Talker => &mut self.talker,
+            Program::Learner => &mut self.learner,
+        }
+    }
 }
 
-fn spawn(act: &Callback<Action>) -> Result<Engine, JsValue> {
+fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
     let window = web_sys::window().ok_or("no window")?;
     let base = window.document().ok_or("no document")?.base_uri()?.ok_or("no base address")?;
-    let url = Url::new_with_base(SCRIPT, &base)?;
+    let url = Url::new_with_base(&format!("{SCRIPT}?{}", program.name()), &base)?;
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
     let worker = Worker::new_with_options(&url.href(), &options)?;
@@ -87,9 +99,10 @@ fn spawn(act: &Callback<Action>) -> Result<Engine, JsValue> {
     let message = Closure::new(move |event: MessageEvent| {
         let text = event.data().as_string().unwrap_or_default();
         heard.emit(match serde_json::from_str::<Envelope<Event>>(&text) {
-            Ok(envelope) => Action::Heard(envelope),
+            Ok(envelope) => Action::Heard(program, envelope),
             Err(error) => {
-                Action::EngineBroke(format!("The engine sent a message that is none: {error}."))
+                let why = format!("The engine sent a message that is none: {error}.");
+                Action::EngineBroke(program, why)
             }
         });
     });
@@ -99,9 +112,8 @@ fn spawn(act: &Callback<Action>) -> Result<Engine, JsValue> {
     let error = Closure::new(move |event: web_sys::Event| {
         let detail = event.dyn_ref::<web_sys::ErrorEvent>().map(|e| e.message());
         let detail = detail.filter(|m| !m.is_empty());
-        broke.emit(Action::EngineBroke(
-            detail.unwrap_or_else(|| "The engine's files could not be loaded.".to_owned()),
-        ));
+        let why = || format!("The files of the {} could not be loaded.", program.name());
+        broke.emit(Action::EngineBroke(program, detail.unwrap_or_else(why)));
     });
     worker.set_onerror(Some(error.as_ref().unchecked_ref()));
     Ok(Engine { worker, _message: message, _error: error })

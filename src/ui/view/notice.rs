@@ -2,7 +2,7 @@
 
 use crate::ui::Action;
 use crate::ui::engine::Health;
-use crate::worker::protocol::Problem;
+use crate::worker::protocol::{Problem, Program};
 use yew::{AttrValue, Callback, Html, Properties, classes, component, html};
 
 /// So many problems are listed one by one.
@@ -53,6 +53,7 @@ pub(super) fn Problems(props: &ProblemsProps) -> Html {
 
 #[derive(PartialEq, Properties)]
 pub(super) struct EngineProps {
+    pub(super) program: Program,
     pub(super) health: Health,
     pub(super) act: Callback<Action>,
 }
@@ -61,13 +62,14 @@ pub(super) struct EngineProps {
 #[component]
 pub(super) fn EngineNotice(props: &EngineProps) -> Html {
     let Health::Stopped(why) = &props.health else { return Html::default() };
+    let program = props.program;
     html! {
         <section class="notice bad engine" role="alert" data-testid="engine-stopped">
             <h2>{"The engine has stopped"}</h2>
             <p>{"What you loaded and taught is kept. Start it again and go on."}</p>
             <pre tabindex="0" data-testid="engine-report">{ why }</pre>
             <button type="button" class="primary" data-testid="restart-engine"
-                onclick={props.act.reform(|_| Action::RestartEngine)}>{"Start it again"}</button>
+                onclick={props.act.reform(move |_| Action::RestartEngine(program))}>{"Start it again"}</button>
         </section>
     }
 }

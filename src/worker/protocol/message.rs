@@ -23,7 +23,26 @@ pub struct Envelope<T> {
     pub body: T,
 }
 
-/// What the page asks of the engine. A request other than `Cancel` and `Ping` replaces the one at work.
+/// The page's programs, each an engine in a worker of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Program {
+    /// It answers, plans and says what it found; the page always has it.
+    Talker,
+    /// It reads corpora, trains, teaches and runs experiments; loaded when there is something to learn.
+    Learner,
+}
+
+impl Program {
+    /// Its name, which is what the page's worker script is asked for.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Program::Talker => "talker",
+            Program::Learner => "learner",
+        }
+    }
+}
+
+/// What the page asks of an engine. A request other than `Cancel` and `Ping` replaces the one at work.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Request {
@@ -46,8 +65,10 @@ pub enum Request {
         /// What differs from the paper's settings.
         settings: TrainSettings,
     },
-    /// Teaches the model a few examples besides, of which each has a demonstration → [`Event::Taught`].
+    /// Teaches a model a few examples besides, of which each has a demonstration → [`Event::Taught`]. Nothing is kept.
     Teach {
+        /// The model file's text.
+        model: String,
         /// The examples, at most [`MOST_TAUGHT`](super::MOST_TAUGHT).
         examples: Vec<Lesson>,
     },
@@ -125,7 +146,30 @@ pub enum Request {
     Ping,
 }
 
-/// What the engine says to the page.
+impl Request {
+    /// The program that it is for; nothing where any will do.
+    pub fn program(&self) -> Option<Program> {
+        match self {
+            Request::ReadCorpus { .. }
+            | Request::ShowRow { .. }
+            | Request::Train { .. }
+            | Request::Teach { .. }
+            | Request::Experiment { .. } => Some(Program::Learner),
+            Request::OpenModel { .. }
+            | Request::Ask { .. }
+            | Request::Plan { .. }
+            | Request::Values { .. }
+            | Request::RollOut { .. }
+            | Request::Explain { .. }
+            | Request::Draw { .. }
+            | Request::ReadWorld { .. }
+            | Request::WriteWorld { .. } => Some(Program::Talker),
+            Request::Cancel | Request::Ping => None,
+        }
+    }
+}
+
+/// What an engine says to the page.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Event {

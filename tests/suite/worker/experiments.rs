@@ -1,14 +1,14 @@
 //! Experiments in the engine: they find what the same runs find outside it, leave what was loaded as it was, can
 //! be cancelled, and say what is wrong with what they were given.
 
-use super::{SIX, corpus, next, only, pump, refused, settings, six, taught};
+use super::{SIX, learner, next, only, pump, refused, settings, six};
 use groundling::domain::State;
 use groundling::learn::experiment::{By, Event as Step, Running, cross};
 use groundling::learn::{CLEANUP_LEXICON, Config, Ties, seed_model};
-use groundling::worker::Engine;
 use groundling::worker::protocol::{
-    CorpusText, Event, Experiment, ExperimentReport, Request, RunPart, WorldRules,
+    CorpusText, Event, Experiment, ExperimentReport, Request, RunPart,
 };
+use groundling::worker::{Engine, Learner};
 use std::sync::Arc;
 
 const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.json");
@@ -25,15 +25,9 @@ fn six_again() -> CorpusText {
     CorpusText { name: "six.csv".to_owned(), text: SIX.to_owned() }
 }
 
-fn ready() -> Engine {
-    let mut engine = Engine::with_experiments();
-    pump(&mut engine, 1, corpus("six.csv", SIX));
-    engine
-}
-
 /// What an experiment finds, after it has told its way.
 #[track_caller]
-fn found(engine: &mut Engine, request: Request) -> ExperimentReport {
+fn found(engine: &mut Engine<Learner>, request: Request) -> ExperimentReport {
     let mut events = pump(engine, 2, request);
     let Some(Event::Experimented { report }) = events.pop() else { panic!("{events:?}") };
     let way = |event: &Event| matches!(event, Event::Experimenting(_));
@@ -43,7 +37,7 @@ fn found(engine: &mut Engine, request: Request) -> ExperimentReport {
 
 #[test]
 fn cross_validation_finds_what_the_same_runs_find_outside() {
-    let report = found(&mut ready(), experiment(three_folds(), 3));
+    let report = found(&mut learner(), experiment(three_folds(), 3));
     let config = Config { epochs: 3, ..Config::default() };
     let runs = cross(&Arc::from(six()), 3, By::Command, &config);
     assert_eq!(report.runs.len(), 3);
@@ -73,7 +67,7 @@ fn cross_validation_finds_what_the_same_runs_find_outside() {
 
 #[test]
 fn the_tables_have_their_rows_and_the_paper_beside_them() {
-    let mut engine = ready();
+    let mut engine = learner();
     let table = Experiment::Table2 { set: "pruned".to_owned(), test: six_again() };
     let report = found(&mut engine, experiment(table, 1));
     let rows: Vec<_> = report.runs.iter().map(|row| (row.name.as_str(), row.paper_f1)).collect();
@@ -105,7 +99,7 @@ fn the_demonstration_ends_in_the_blue_room() {
     let command = "go to the blue room".to_owned();
     let state = State::read(WORLD).unwrap();
     let request = experiment(Experiment::Demonstration { command, state }, 15);
-    let mut engine = ready();
+    let mut engine = learner();
     let report = found(&mut engine, request);
     assert_eq!(report.runs[0].judgement.plain.correct, 6);
     let answer = report.answer.unwrap();
@@ -117,20 +111,11 @@ fn the_demonstration_ends_in_the_blue_room() {
     let blue = plan.states[0].rooms.iter().find(|room| room.color.name() == "blue").unwrap();
     assert!(blue.bounds.left < agent.x && agent.x < blue.bounds.right, "{agent:?} in {blue:?}");
     assert!(blue.bounds.bottom < agent.y && agent.y < blue.bounds.top, "{agent:?} in {blue:?}");
-    let refusal = refused(
-        &mut engine,
-        Request::Ask {
-            command: "go".to_owned(),
-            state: State::read(WORLD).unwrap(),
-            rules: WorldRules::default(),
-        },
-    );
-    assert!(refusal.starts_with("There is no model yet"), "an experiment leaves none: {refusal}");
 }
 
 #[test]
 fn a_cancelled_experiment_leaves_everything_as_it_was() {
-    let (mut engine, _) = taught(2);
+    let mut engine = learner();
     for words_before in [0, 1, 5, 11, 30] {
         engine.start(7, experiment(three_folds(), 5));
         for _ in 0..words_before {
@@ -142,26 +127,19 @@ fn a_cancelled_experiment_leaves_everything_as_it_was() {
         engine.start(8, Request::Cancel);
         assert_eq!(next(&mut engine), (7, Event::Cancelled));
         assert!(!engine.busy());
-        // Corpus and model are there.
+        // The corpus is there.
         assert!(matches!(
             only(pump(&mut engine, 9, Request::ShowRow { row: 5 })),
             Event::Row { .. }
         ));
-        let state = State::read(WORLD).unwrap();
-        let ask = Request::Ask {
-            command: "go to the blue room".to_owned(),
-            state,
-            rules: WorldRules::default(),
-        };
-        assert!(matches!(only(pump(&mut engine, 10, ask)), Event::Answer(_)));
     }
 }
 
 #[test]
 fn what_cannot_be_run_is_refused_in_words() {
-    let said = refused(&mut Engine::with_experiments(), experiment(three_folds(), 1));
+    let said = refused(&mut Engine::<Learner>::new(), experiment(three_folds(), 1));
     assert_eq!(said, "There is nothing to learn from: load a corpus first.");
-    let mut engine = ready();
+    let mut engine = learner();
     let said = refused(&mut engine, experiment(three_folds(), 0));
     assert_eq!(said, "The epochs must be between 1 and 1000.");
     for folds in [0, 1, 7, u32::MAX] {
@@ -180,10 +158,4 @@ fn what_cannot_be_run_is_refused_in_words() {
         let said = refused(&mut engine, experiment(table, 1));
         assert!(said.starts_with(wanted), "{said}");
     }
-}
-
-#[test]
-fn the_page_s_engine_runs_none_and_says_where_they_are_run() {
-    let said = refused(&mut Engine::new(), experiment(three_folds(), 1));
-    assert!(said.contains("groundling experiment"), "{said}");
 }

@@ -38,8 +38,8 @@ fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
     }
 }
 
-#[test]
-fn requests_come_back_from_json() {
+/// A request of every kind, some more than once.
+pub(super) fn requests() -> Vec<Request> {
     let state = six()[0].pairs[0].pre.clone();
     let pair = PairText { pre: state.clone(), post: state.clone() };
     let mut some = settings(3);
@@ -48,12 +48,15 @@ fn requests_come_back_from_json() {
     let experiment = |experiment| Request::Experiment { experiment, settings: settings(2) };
     let rules =
         WorldRules { pull: true, robot: true, slip: 0.1, lock: 0.2, ..WorldRules::default() };
-    let messages = [
+    vec![
         corpus("a \"b\".csv", "x,\"y\"\r\n\u{fffd}🤖"),
         Request::ShowRow { row: 3 },
         Request::Train { lexicon: SeedLexicon::Demonstration, settings: settings(15) },
         Request::Train { lexicon: SeedLexicon::Demonstration, settings: some },
-        Request::Teach { examples: vec![Lesson { command: "go".to_owned(), pairs: vec![pair] }] },
+        Request::Teach {
+            model: "groundling model 1\nend\n".to_owned(),
+            examples: vec![Lesson { command: "go".to_owned(), pairs: vec![pair] }],
+        },
         Request::Explain { command: "go".to_owned() },
         Request::Draw { blueprint: Blueprint::default(), seed: 7 },
         Request::ReadWorld { text: "###\n".to_owned() },
@@ -69,8 +72,12 @@ fn requests_come_back_from_json() {
         experiment(Experiment::Cross { folds: 5, by: By::Task }),
         Request::Cancel,
         Request::Ping,
-    ];
-    come_back(&messages, 16, |request| match request {
+    ]
+}
+
+#[test]
+fn requests_come_back_from_json() {
+    come_back(&requests(), 16, |request| match request {
         Request::ReadCorpus { .. } => "read_corpus",
         Request::ShowRow { .. } => "show_row",
         Request::Train { .. } => "train",

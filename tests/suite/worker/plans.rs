@@ -2,8 +2,8 @@
 
 use super::{next, only, pump, refused};
 use groundling::domain::{Lock, State};
-use groundling::worker::Engine;
 use groundling::worker::protocol::{Event, PlanText, Request, Runs, ValueMap, Why, WorldRules};
+use groundling::worker::{Engine, Talker};
 
 const IN_BLUE: &str = "(in:<e,<e,t>> (the:<<e,t>,e> agent:<e,t>) \
                        (the:<<e,t>,e> (lambda $0:e (and:<t*,t> (blue:<e,t> $0) (room:<e,t> $0)))))";
@@ -34,7 +34,7 @@ fn request(form: &str, rules: WorldRules) -> Request {
 }
 
 #[track_caller]
-fn planned(engine: &mut Engine, form: &str, rules: WorldRules) -> PlanText {
+fn planned(engine: &mut Engine<Talker>, form: &str, rules: WorldRules) -> PlanText {
     match pump(engine, 1, request(form, rules)).pop() {
         Some(Event::Planned(plan)) => *plan,
         other => panic!("{other:?}"),
@@ -42,7 +42,7 @@ fn planned(engine: &mut Engine, form: &str, rules: WorldRules) -> PlanText {
 }
 
 #[track_caller]
-fn values(engine: &mut Engine, state: State) -> ValueMap {
+fn values(engine: &mut Engine<Talker>, state: State) -> ValueMap {
     match pump(engine, 2, Request::Values { state }).pop() {
         Some(Event::Values(map)) => map,
         other => panic!("{other:?}"),
@@ -50,7 +50,7 @@ fn values(engine: &mut Engine, state: State) -> ValueMap {
 }
 
 #[track_caller]
-fn runs(engine: &mut Engine, runs: u32, seed: u32) -> (Vec<Runs>, Runs) {
+fn runs(engine: &mut Engine<Talker>, runs: u32, seed: u32) -> (Vec<Runs>, Runs) {
     let mut events = pump(engine, 3, Request::RollOut { runs, seed });
     let Some(Event::RolledOut(last)) = events.pop() else { panic!("no end") };
     let each = |event| match event {

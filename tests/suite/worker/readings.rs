@@ -6,10 +6,10 @@ use groundling::ccg::{ChartConfig, Derivation, parse};
 use groundling::domain::{Plan, State, generate};
 use groundling::learn::{CLEANUP_LEXICON, seed_model};
 use groundling::logic::{Terms, print_human, read, steps};
-use groundling::worker::Engine;
 use groundling::worker::protocol::{
     Answer, Claim, Event, Fate, Noun, Piece, Reading, Refers, Request, Study, WorldRules,
 };
+use groundling::worker::{Engine, Talker};
 
 const TASKS: &str = include_str!("../../../assets/corpus/tasks.txt");
 
@@ -26,7 +26,7 @@ const COMMANDS: [&str; 9] = [
     "red red room",
 ];
 
-fn engine() -> Engine {
+fn engine() -> Engine<Talker> {
     let mut engine = Engine::new();
     let text = seed_model(CLEANUP_LEXICON).unwrap().print();
     pump(&mut engine, 1, Request::OpenModel { text });

@@ -2,12 +2,12 @@
 
 use super::{only, pump, refused};
 use groundling::domain::{Blueprint, State, Style, text};
-use groundling::worker::Engine;
 use groundling::worker::protocol::{Event, Request};
+use groundling::worker::{Engine, Talker};
 
 #[track_caller]
 fn world(request: Request) -> State {
-    match only(pump(&mut Engine::new(), 1, request)) {
+    match only(pump(&mut Engine::<Talker>::new(), 1, request)) {
         Event::World(state) => state,
         other => panic!("no world: {other:?}"),
     }
@@ -29,7 +29,7 @@ fn a_world_is_drawn_by_its_seed_alone() {
         assert_ne!(drawn, world(Request::Draw { blueprint, seed: 8 }));
     }
     let blueprint = Blueprint { rooms: 99, ..Blueprint::default() };
-    let said = refused(&mut Engine::new(), Request::Draw { blueprint, seed: 0 });
+    let said = refused(&mut Engine::<Talker>::new(), Request::Draw { blueprint, seed: 0 });
     assert_eq!(said, "99 rooms: use 3 to 12");
 }
 
@@ -37,7 +37,8 @@ fn a_world_is_drawn_by_its_seed_alone() {
 fn a_world_goes_to_text_and_back() {
     let state = Blueprint { objects: 4, ..Blueprint::default() }.build(3).unwrap();
     let write = Request::WriteWorld { state: state.clone() };
-    let Event::WorldText { text: drawn } = only(pump(&mut Engine::new(), 1, write)) else {
+    let Event::WorldText { text: drawn } = only(pump(&mut Engine::<Talker>::new(), 1, write))
+    else {
         panic!("no text");
     };
     assert_eq!(drawn, text::print(&state));
@@ -48,7 +49,7 @@ fn a_world_goes_to_text_and_back() {
 
 #[test]
 fn a_text_that_is_no_world_is_refused_with_its_place() {
-    let mut engine = Engine::new();
+    let mut engine = Engine::<Talker>::new();
     let mut illegal = Blueprint::default().build(3).unwrap();
     (illegal.agent.x, illegal.agent.y) = (illegal.objects[0].x, illegal.objects[0].y);
     for (source, said) in [

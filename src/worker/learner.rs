@@ -1,0 +1,209 @@
+//! The program that learns: reads corpora, trains, teaches, runs experiments. The page loads it when there is something
+//! to be learned; what it learns goes to the talker as a model file.
+
+use super::experiment::Experimenting;
+use super::job::{Job, Role, Step, misdirected, say};
+use super::protocol::{
+    CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Problem, Program, Progress, Request,
+    RowSummary, SeedLexicon, TeachReport, TrainSettings,
+};
+use super::talker::report;
+use crate::ccg::{EntryText, Model};
+use crate::corpus::{Corpus, Example, Flaw, Form, Options, Pair, Rows};
+use crate::learn::{
+    self, CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Taught, Teaching, Trainer, seed_model,
+};
+use std::io::Cursor;
+
+/// Rows that a step reads.
+pub(super) const ROWS_A_STEP: usize = 4;
+
+/// What the learner keeps.
+#[derive(Default)]
+pub struct Learner {
+    corpus: Corpus,
+}
+
+impl Role for Learner {
+    const PROGRAM: Program = Program::Learner;
+
+    fn begin(&mut self, request: Request) -> Result<Job<Learner>, String> {
+        match request {
+            Request::ReadCorpus { name, text } => read_corpus(name, text),
+            Request::ShowRow { row } => self.show_row(row),
+            Request::Train { lexicon, settings } => self.train(lexicon, &settings),
+            Request::Teach { model, examples } => teach(&model, examples),
+            Request::Experiment { experiment, settings } => {
+                let config = self.config(&settings)?;
+                let mut work = Experimenting::new(experiment, &self.corpus.examples, config)?;
+                Ok(Box::new(move |_| work.step()))
+            }
+            other => Err(misdirected(&other, Self::PROGRAM)),
+        }
+    }
+}
+
+impl Learner {
+    fn keep(&mut self, name: String, corpus: Corpus, flaws: Vec<Flaw>) -> Event {
+        let rows = corpus.examples.iter().map(|example| RowSummary {
+            command: example.command.clone(),
+            task: example.task.clone(),
+            pairs: example.pairs.len(),
+        });
+        let report = CorpusReport {
+            name,
+            rows: rows.collect(),
+            rejected: corpus.rejected,
+            problems: flaws.into_iter().map(problem).collect(),
+        };
+        if !corpus.examples.is_empty() {
+            self.corpus = corpus;
+        }
+        Event::Corpus(report)
+    }
+
+    fn show_row(&self, row: usize) -> Result<Job<Learner>, String> {
+        let example = self.corpus.examples.get(row);
+        let example = example.ok_or_else(|| format!("The corpus has no row {row}."))?;
+        let pairs = example.pairs.iter();
+        let pairs = pairs.map(|p| PairText { pre: p.pre.clone(), post: p.post.clone() });
+        say(Event::Row { row, pairs: pairs.collect() })
+    }
+
+    fn train(
+        &self,
+        lexicon: SeedLexicon,
+        settings: &TrainSettings,
+    ) -> Result<Job<Learner>, String> {
+        let config = self.config(settings)?;
+        let lexicon = match lexicon {
+            SeedLexicon::Demonstration => DEMONSTRATION_LEXICON,
+            SeedLexicon::Domain => CLEANUP_LEXICON,
+        };
+        let seed = seed_model(lexicon)
+            .map_err(|error| format!("The seed lexicon cannot be read: {error}."))?;
+        let mut trainer = Trainer::new(seed, &self.corpus.examples, config);
+        Ok(Box::new(move |_| {
+            let said = trainer.step().map(|done| {
+                let (epochs, examples) = (trainer.config().epochs, trainer.n_examples());
+                Event::Progress(progress(done, epochs, examples))
+            });
+            if said.is_some() || !trainer.is_done() {
+                return Step::Working(said);
+            }
+            let model = trainer.averaged();
+            Step::Over(Event::Trained(report(&model, model.print())))
+        }))
+    }
+
+    /// The settings of a run on the corpus that is kept, or why there can be none.
+    fn config(&self, settings: &TrainSettings) -> Result<Config, String> {
+        if self.corpus.examples.is_empty() {
+            return Err("There is nothing to learn from: load a corpus first.".to_owned());
+        }
+        let limits = [
+            ("epochs", settings.epochs, 1..=1_000),
+            ("beam", settings.beam, 1..=10_000),
+            ("lexical beam", settings.lexical_beam, 1..=10_000),
+            ("demonstrations", settings.demonstrations.unwrap_or(1), 1..=1_000),
+        ];
+        for (name, value, range) in limits {
+            if !range.contains(&value) {
+                let (least, most) = range.into_inner();
+                return Err(format!("The {name} must be between {least} and {most}."));
+            }
+        }
+        Ok(Config {
+            epochs: settings.epochs,
+            beam: settings.beam,
+            lexical_beam: settings.lexical_beam,
+            demonstrations: settings.demonstrations,
+            seed: settings.seed,
+            ..Config::default()
+        })
+    }
+}
+
+fn read_corpus(name: String, text: String) -> Result<Job<Learner>, String> {
+    let source = Cursor::new(text.into_bytes());
+    let mut rows = match Rows::new(Form::of_name(&name), source, Options::default()) {
+        Ok(rows) => rows,
+        Err(flaw) => {
+            let (rows, problems) = (Vec::new(), vec![problem(flaw)]);
+            return say(Event::Corpus(CorpusReport { name, rows, rejected: 0, problems }));
+        }
+    };
+    let mut corpus = Corpus { columns: rows.columns().to_vec(), ..Corpus::default() };
+    let mut flaws = Vec::new();
+    Ok(Box::new(move |learner| {
+        for _ in 0..ROWS_A_STEP {
+            match rows.next() {
+                Some(row) => flaws.extend(corpus.add(row)),
+                None => {
+                    let (corpus, flaws) = (std::mem::take(&mut corpus), std::mem::take(&mut flaws));
+                    return Step::Over(learner.keep(name.clone(), corpus, flaws));
+                }
+            }
+        }
+        Step::Working(None)
+    }))
+}
+
+fn teach(model: &str, lessons: Vec<Lesson>) -> Result<Job<Learner>, String> {
+    if lessons.is_empty() || lessons.len() > MOST_TAUGHT {
+        return Err(format!("Teach between 1 and {MOST_TAUGHT} commands at once."));
+    }
+    if let Some(bare) = lessons.iter().find(|lesson| lesson.pairs.is_empty()) {
+        return Err(format!("Show what to do when one says {:?}.", bare.command));
+    }
+    let model =
+        Model::read(model).map_err(|error| format!("The model cannot be read: {error}."))?;
+    let examples: Vec<Example> = lessons.into_iter().map(example).collect();
+    let config = Config { demonstrations: None, ..Config::of(&model) };
+    let teaching = Teaching::new(model, &examples, config)
+        .map_err(|error| format!("The model cannot be taught: {error}."))?;
+    let mut teaching = Some(teaching);
+    Ok(Box::new(move |_| match teaching.take_if(|teaching| teaching.is_done()) {
+        Some(done) => Step::Over(taught(done.end())),
+        None => {
+            teaching.iter_mut().for_each(Teaching::step);
+            Step::Working(None)
+        }
+    }))
+}
+
+fn taught(Taught { model, entries, understood }: Taught) -> Event {
+    let added = entries.into_iter().map(|id| EntryText::of(&model, id)).collect();
+    let model = report(&model, model.print());
+    Event::Taught(Box::new(TeachReport { model, added, understood }))
+}
+
+fn example(lesson: Lesson) -> Example {
+    let pairs = lesson.pairs.into_iter().map(|PairText { pre, post }| Pair { pre, post });
+    Example {
+        id: "taught".to_owned(),
+        line: 0,
+        command: lesson.command,
+        task: None,
+        worker: None,
+        pairs: pairs.collect(),
+        rest: Vec::new(),
+    }
+}
+
+pub(super) fn problem(flaw: Flaw) -> Problem {
+    Problem { line: flaw.line, column: flaw.column, message: flaw.message, kept: flaw.kept }
+}
+
+/// How far a training run of so many epochs and examples is.
+pub(super) fn progress(progress: learn::Progress, epochs: u32, examples: usize) -> Progress {
+    Progress {
+        epoch: progress.epoch,
+        epochs,
+        example: progress.example,
+        examples,
+        valid: progress.so_far.valid,
+        updates: progress.so_far.updates,
+        entries: progress.so_far.entries,
+    }
+}

@@ -1,0 +1,140 @@
+//! The program that talks: opens a model, answers commands, plans, and is asked about what it found. It is what the
+//! page loads first, so it knows nothing of corpora and learning.
+
+use super::ask::{Asked, Asking};
+use super::job::{Job, Role, Step, misdirected, say};
+use super::plan::{Begun, Planned, Planning};
+use super::protocol::{Event, MOST_RUNS, PlanText, Program, Request, TrainReport, WorldRules};
+use super::read::studies;
+use super::watch::{Rolling, Valuing};
+use super::world;
+use crate::ccg::Model;
+use crate::domain::State;
+use crate::ground::Goal;
+use crate::logic::{Terms, read};
+use std::rc::Rc;
+
+const NO_PLAN: &str = "There is no plan to go by: ask for something first.";
+
+const NO_MODEL: &str = "There is no model yet: train one, or open a model file.";
+
+/// What the talker keeps.
+#[derive(Default)]
+pub struct Talker {
+    model: Option<Model>,
+    planned: Option<Rc<Planned>>,
+}
+
+impl Role for Talker {
+    const PROGRAM: Program = Program::Talker;
+
+    fn begin(&mut self, request: Request) -> Result<Job<Talker>, String> {
+        match request {
+            Request::OpenModel { text } => Ok(open_model(text)),
+            Request::Ask { command, state, rules } => {
+                self.model.as_ref().ok_or(NO_MODEL)?;
+                state.check().map_err(|error| error.to_string())?;
+                Ok(ask(Asking::new(command, state, rules)))
+            }
+            Request::Plan { form, state, rules } => plan(&form, &state, &rules),
+            Request::Values { state } => {
+                let planned = self.planned.clone().ok_or(NO_PLAN)?;
+                let mut valuing = Valuing::new(planned, &state)
+                    .ok_or("The plan that is kept is for another world: plan again.")?;
+                Ok(Box::new(move |_| match valuing.step() {
+                    Some(map) => Step::Over(Event::Values(map)),
+                    None => Step::Working(None),
+                }))
+            }
+            Request::RollOut { runs, seed } => {
+                let planned = self.planned.clone().ok_or(NO_PLAN)?;
+                if !(1..=MOST_RUNS).contains(&runs) {
+                    return Err(format!("Ask for between 1 and {MOST_RUNS} runs."));
+                }
+                let mut rolling = Rolling::new(planned, runs, seed);
+                Ok(Box::new(move |_| match rolling.step() {
+                    Some((runs, true)) => Step::Over(Event::RolledOut(runs)),
+                    said => Step::Working(said.map(|(runs, _)| Event::RollingOut(runs))),
+                }))
+            }
+            Request::Explain { command } => {
+                let model = self.model.as_mut().ok_or(NO_MODEL)?;
+                say(Event::Explained(studies(model, &command)))
+            }
+            Request::Draw { blueprint, seed } => say(world::draw(&blueprint, seed)),
+            Request::ReadWorld { text } => say(world::read(&text)),
+            Request::WriteWorld { state } => say(world::write(&state)),
+            other => Err(misdirected(&other, Self::PROGRAM)),
+        }
+    }
+}
+
+fn open_model(text: String) -> Job<Talker> {
+    Box::new(move |talker| {
+        Step::Over(match Model::read(&text) {
+            Ok(model) => {
+                let report = report(&model, text.clone());
+                talker.model = Some(model);
+                Event::Opened(report)
+            }
+            Err(error) => Event::Refused { message: format!("This is no model file: {error}.") },
+        })
+    })
+}
+
+/// What a model says of how it was trained; `text` is its file.
+pub(super) fn report(model: &Model, text: String) -> TrainReport {
+    let fact = |name: &str| model.facts.get(name).and_then(|text| text.parse().ok()).unwrap_or(0);
+    TrainReport {
+        model: text,
+        examples: fact("examples"),
+        valid: fact("valid"),
+        entries: model.lexicon.len(),
+    }
+}
+
+fn ask(mut asking: Asking) -> Job<Talker> {
+    Box::new(move |talker| {
+        let Some(model) = &mut talker.model else { return Step::Over(Event::Cancelled) };
+        match asking.step(model) {
+            Asked::Working(progress) => Step::Working(progress.map(Event::Planning)),
+            Asked::Answered(answer, planned) => {
+                talker.planned = planned.map(Rc::new);
+                Step::Over(Event::Answer(answer))
+            }
+            Asked::Failed(error) => Step::Over(Event::Refused { message: error.to_string() }),
+        }
+    })
+}
+
+fn plan(form: &str, state: &State, rules: &WorldRules) -> Result<Job<Talker>, String> {
+    let mut terms = Terms::new();
+    let term = read(&mut terms, form).map_err(|error| error.to_string())?;
+    let goal = Goal::new(&terms, term, state).map_err(|error| error.to_string())?;
+    let begun = Planning::begin(&goal, state, rules).map_err(|error| error.to_string())?;
+    let mut planning = match begun {
+        Begun::Work(planning) => Some(planning),
+        Begun::Done(plan) => {
+            let mut plan = Some(plan);
+            return Ok(Box::new(move |talker| match plan.take() {
+                Some(plan) => talker.keep(plan, None),
+                None => Step::Working(None),
+            }));
+        }
+    };
+    Ok(Box::new(move |talker| {
+        let Some(at_work) = &mut planning else { return Step::Working(None) };
+        match at_work.step() {
+            Some(plan) => talker.keep(Box::new(plan), planning.take()),
+            None => Step::Working(at_work.news().map(Event::Planning)),
+        }
+    }))
+}
+
+impl Talker {
+    /// Keeps the policy that was found, and says what it does; a goal that needed no search has none.
+    fn keep(&mut self, plan: Box<PlanText>, found: Option<Box<Planning>>) -> Step {
+        self.planned = found.map(|planning| Rc::new(planning.into_planned()));
+        Step::Over(Event::Planned(plan))
+    }
+}
