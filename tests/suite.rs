@@ -51,6 +51,8 @@ mod worker;
 mod demonstration;
 #[path = "suite/ui.rs"]
 mod ui;
+#[path = "suite/proof.rs"]
+mod proof;
 #[path = "suite/plan_command.rs"]
 mod plan_command;
 #[path = "suite/experiment.rs"]

@@ -5,6 +5,7 @@ pub mod action;
 pub mod world;
 pub mod playback;
 pub mod point;
+pub mod proof;
 pub mod engine;
 pub mod corpus;
 pub mod files;

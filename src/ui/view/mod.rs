@@ -12,6 +12,7 @@ mod controls;
 mod train;
 mod talk;
 mod answer;
+pub mod proof;
 mod corpus;
 mod row;
 mod files;
