@@ -53,6 +53,8 @@ mod demonstration;
 mod ui;
 #[path = "suite/proof.rs"]
 mod proof;
+#[path = "suite/chart.rs"]
+mod chart;
 #[path = "suite/plan_command.rs"]
 mod plan_command;
 #[path = "suite/experiment.rs"]

@@ -6,6 +6,7 @@ pub mod world;
 pub mod playback;
 pub mod point;
 pub mod proof;
+pub mod chart;
 pub mod engine;
 pub mod corpus;
 pub mod files;

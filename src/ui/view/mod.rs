@@ -13,6 +13,7 @@ mod train;
 mod talk;
 mod answer;
 pub mod proof;
+pub mod chart;
 mod corpus;
 mod row;
 mod files;

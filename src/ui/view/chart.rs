@@ -1,0 +1,159 @@
+//! Charts as SVG: a planner's residual and bounds over its steps, what the colours of values stand for, and a share
+//! with its interval. All take their breadth from the page.
+
+use crate::render::{Rgba, Theme};
+use crate::ui::chart::Chart;
+use crate::worker::protocol::PlanProgress;
+use yew::{AttrValue, Html, Properties, component, html};
+
+/// Steps of a legend's colours.
+const STEPS: u32 = 30;
+/// A tenth: where the values that are worth anything begin ([`crate::render::spread`]).
+const LEAST: f32 = 0.1;
+
+/// What a [`Plot`] shows.
+#[derive(PartialEq, Properties)]
+pub struct PlotProps {
+    /// The chart.
+    pub chart: Chart,
+    /// What it is, in words.
+    pub label: AttrValue,
+    /// What its x axis counts.
+    pub x_name: AttrValue,
+    /// What its y axis measures.
+    pub y_name: AttrValue,
+}
+
+/// A chart with its axes.
+#[component]
+pub fn Plot(props: &PlotProps) -> Html {
+    let PlotProps { chart, label, x_name, y_name } = props;
+    let [left, top, right, bottom] = Chart::FRAME;
+    let x_ticks = chart.x.ticks();
+    let ends = [x_ticks.first(), x_ticks.last()].map(|tick| tick.map_or("", |tick| &tick.label));
+    let summary = format!("{y_name}: {}; {x_name}: {}–{}", chart.last.join("–"), ends[0], ends[1]);
+    html! {
+        <figure class="chart">
+            <figcaption aria-hidden="true">{ y_name }</figcaption>
+            <svg viewBox={format!("0 0 {} {}", Chart::WIDTH, Chart::HEIGHT)} role="img"
+                aria-label={format!("{label}. {summary}")}>
+                <desc>{ summary }</desc>
+                { for chart.y.ticks().into_iter().map(|tick| html! {
+                    <>
+                        <path class="chart-grid" d={format!("M{left} {:.1}H{right}", tick.at)} />
+                        <text class="chart-y" x={(left - 6.0).to_string()} y={format!("{:.1}", tick.at + 3.5)}>{ tick.label }</text>
+                    </>
+                }) }
+                { for x_ticks.iter().map(|tick| html! {
+                    <text class="chart-x" x={format!("{:.1}", tick.at)} y={(bottom + 15.0).to_string()}>{ &tick.label }</text>
+                }) }
+                <path class="chart-area" d={chart.area.clone()} />
+                { for chart.lines.iter().map(|line| html! { <path class="chart-line" d={line.clone()} /> }) }
+                <path class="chart-axis" d={format!("M{left} {top}V{bottom}H{right}")} />
+            </svg>
+            <p class="chart-name" aria-hidden="true">{ x_name }</p>
+        </figure>
+    }
+}
+
+/// What [`Bounds`] shows.
+#[derive(PartialEq, Properties)]
+pub struct BoundsProps {
+    /// What a planner told on its way.
+    pub reports: Vec<PlanProgress>,
+    /// What it is, in words.
+    pub label: AttrValue,
+    /// The name of the bounds.
+    pub bounds: AttrValue,
+    /// The name of the residual.
+    pub residual: AttrValue,
+    /// The name of the steps.
+    pub steps: AttrValue,
+}
+
+/// How a planner came to its answer: what it proved of the start, and how much its values still changed. A chart
+/// without anything to show is left out.
+#[component]
+pub fn Bounds(props: &BoundsProps) -> Html {
+    let BoundsProps { reports, label, bounds, residual, steps } = props;
+    let at = |report: &PlanProgress| report.steps as f64;
+    let proved: Vec<_> = reports.iter().map(|report| (at(report), report.bounds)).collect();
+    let changed: Vec<_> = reports.iter().map(|report| (at(report), report.residual)).collect();
+    let plot = |chart: Chart, name: &AttrValue| {
+        html! {
+            <Plot {chart} label={label.clone()} x_name={steps.clone()} y_name={name.clone()} />
+        }
+    };
+    html! {
+        <div class="charts" data-testid="bounds">
+            if !proved.is_empty() { { plot(Chart::band(&proved), bounds) } }
+            if changed.iter().any(|point| point.1 > 0.0) { { plot(Chart::line(&changed, true), residual) } }
+        </div>
+    }
+}
+
+/// What a [`Legend`] shows.
+#[derive(PartialEq, Properties)]
+pub struct LegendProps {
+    /// Whose colours.
+    pub theme: Theme,
+    /// What the lowest value is that is worth anything.
+    pub low: AttrValue,
+    /// What the highest value is.
+    pub high: AttrValue,
+    /// What the values are, in words.
+    pub label: AttrValue,
+}
+
+/// The colours and sizes of values from low to high.
+#[component]
+pub fn Legend(props: &LegendProps) -> Html {
+    let LegendProps { theme, low, high, label } = props;
+    let step = |i: u32| {
+        let share = i as f32 / (STEPS - 1) as f32;
+        // As the tiles grow in the picture.
+        let height = 6.0 + 4.0 * share;
+        html! {
+            <rect x={i.to_string()} y={(5.0 - height / 2.0).to_string()} width="1.05" height={height.to_string()}
+                fill={css(theme.value(LEAST + (1.0 - LEAST) * share))} />
+        }
+    };
+    html! {
+        <div class="legend" role="img" aria-label={format!("{label}: {low}–{high}")} data-testid="legend">
+            <span>{ low }</span>
+            <svg viewBox={format!("0 0 {STEPS} 10")} preserveAspectRatio="none">{ for (0..STEPS).map(step) }</svg>
+            <span>{ high }</span>
+        </div>
+    }
+}
+
+/// What an [`Interval`] shows.
+#[derive(PartialEq, Properties)]
+pub struct IntervalProps {
+    /// The share, in 0..=1.
+    pub share: f64,
+    /// What confidence leaves open of it.
+    pub interval: [f64; 2],
+    /// Both, in words.
+    pub label: AttrValue,
+}
+
+/// A share of all, with its interval.
+#[component]
+pub fn Interval(props: &IntervalProps) -> Html {
+    let percent = |share: f64| (100.0 * share).clamp(0.0, 100.0);
+    let [low, high] = props.interval.map(percent);
+    let share = percent(props.share);
+    html! {
+        <svg class="interval" viewBox="-2 0 104 10" role="img" aria-label={props.label.clone()} data-testid="interval">
+            <path class="interval-scale" d="M0 5H100M0 3V7M25 4V6M50 3V7M75 4V6M100 3V7" />
+            <rect class="interval-open" x={low.to_string()} y="2.5" width={(high - low).max(0.0).to_string()} height="5" rx="1" />
+            <path class="interval-share" d={format!("M{share} 1V9")} />
+        </svg>
+    }
+}
+
+fn css(Rgba(colour): Rgba) -> String {
+    let [r, g, b, _] = colour.map(|c| (c * 255.0).round());
+    format!("rgb({r} {g} {b})")
+}
