@@ -109,7 +109,8 @@ impl Axis {
         let steps = (0..6).map(|i| (first + f64::from(i)) * step);
         let within = steps.take_while(|value| *value <= self.high + step * 1e-9);
         let place = |value: f64| self.from + (value - self.low) / span * (self.to - self.from);
-        let label = |value: f64| if self.log { decade(value) } else { number(value, step) };
+        let most = self.low.abs().max(self.high.abs());
+        let label = |value: f64| if self.log { decade(value) } else { number(value, step, most) };
         within.map(|value| Tick { at: place(value), label: label(value) }).collect()
     }
 }
@@ -136,9 +137,9 @@ fn round_step(least: f64) -> f64 {
     step.unwrap_or(10.0) * power
 }
 
-/// A number with as many places as its step has; thousands and millions by their letter.
-fn number(value: f64, step: f64) -> String {
-    let (scale, letter) = match value.abs().max(step) {
+/// A number with as many places as its step has; thousands and millions by their letter, where the axis has such.
+fn number(value: f64, step: f64, most: f64) -> String {
+    let (scale, letter) = match most {
         most if most >= 1e6 => (1e6, "M"),
         most if most >= 1e4 => (1e3, "k"),
         _ => (1.0, ""),

@@ -32,6 +32,8 @@ fn a_residual_falls_by_decades_and_what_is_zero_is_left_out() {
     assert_eq!(labels(&chart.y.ticks()), ["10⁻⁶", "10⁻⁴", "10⁻²", "1"]);
     assert_eq!(chart.lines[0].matches('M').count(), 2, "a gap: {:?}", chart.lines);
     assert_eq!(labels(&chart.x.ticks()), ["0", "10k", "20k", "30k"]);
+    let thousands = Chart::line(&[(0.0, 1.0), (13_650.0, 1.0)], false);
+    assert_eq!(labels(&thousands.x.ticks()), ["0", "5k", "10k"], "all in one unit");
     let tick = &chart.y.ticks()[3];
     assert!((tick.at - TOP).abs() < 1e-9, "1 is at the top");
     assert_eq!(chart.y.at(0.0), None);

@@ -114,14 +114,14 @@ pub fn Legend(props: &LegendProps) -> Html {
         // As the tiles grow in the picture.
         let height = 6.0 + 4.0 * share;
         html! {
-            <rect x={i.to_string()} y={(5.0 - height / 2.0).to_string()} width="1.05" height={height.to_string()}
+            <rect x={i.to_string()} y={(5.0 - height / 2.0).to_string()} width="1" height={height.to_string()}
                 fill={css(theme.value(LEAST + (1.0 - LEAST) * share))} />
         }
     };
     html! {
         <div class="legend" role="img" aria-label={format!("{label}: {low}–{high}")} data-testid="legend">
             <span>{ low }</span>
-            <svg viewBox={format!("0 0 {STEPS} 10")} preserveAspectRatio="none">{ for (0..STEPS).map(step) }</svg>
+            <svg viewBox={format!("0 0 {STEPS} 10")} preserveAspectRatio="none" shape-rendering="crispEdges">{ for (0..STEPS).map(step) }</svg>
             <span>{ high }</span>
         </div>
     }

@@ -125,7 +125,7 @@ fn node(
             if let Some(line) = line {
                 <path class="proof-line" d={format!("M{} {}H{}", line.left, line.y, line.right)} />
             }
-            { for texts.map(|text| written(text, props)) }
+            <g aria-hidden="true">{ for texts.map(|text| written(text, props)) }</g>
         </g>
     }
 }
