@@ -1,5 +1,7 @@
 //! Files that a person gives the page: what they are, and which are refused before they are read.
 
+use super::share;
+
 /// The largest file that is read: 64 MiB.
 pub const MAX_BYTES: f64 = 67_108_864.0;
 
@@ -10,26 +12,40 @@ pub enum Kind {
     Corpus,
     /// A model.
     Model,
+    /// All of a talk, as this page saves it.
+    Session,
+}
+
+/// Why a file cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// There is nothing in it.
+    Empty,
+    /// It is larger than [`MAX_BYTES`].
+    TooLarge,
+    /// The browser cannot get at it.
+    Unreadable,
+    /// It is not UTF-8, first in this line.
+    NotText(usize),
 }
 
 /// Refuses a file by its size in bytes.
 ///
 /// # Errors
-/// Words for the person when it is empty or too large.
-pub fn admit(name: &str, bytes: f64) -> Result<(), String> {
-    if bytes <= 0.0 {
-        return Err(format!(
-            "{name} is empty. Choose a file with a header line and at least one row."
-        ));
+/// When it is empty or too large.
+pub fn admit(bytes: f64) -> Result<(), Fault> {
+    match bytes {
+        bytes if bytes <= 0.0 => Err(Fault::Empty),
+        bytes if bytes > MAX_BYTES => Err(Fault::TooLarge),
+        _ => Ok(()),
     }
-    if bytes > MAX_BYTES {
-        return Err(format!("{name} is larger than 64 MB. Split it and open one part at a time."));
-    }
-    Ok(())
 }
 
-/// What a file is: a model says so in its first line, anything else is taken for a corpus.
+/// What a file is: a session and a model say so in their first line, anything else is taken for a corpus.
 pub fn kind(name: &str, text: &str) -> Kind {
+    if share::is_session(text) {
+        return Kind::Session;
+    }
     let first = text.trim_start_matches('\u{feff}').lines().next().unwrap_or_default();
     let named = name.rsplit_once('.').is_some_and(|(_, end)| end.eq_ignore_ascii_case("model"));
     if named || first.starts_with("groundling") { Kind::Model } else { Kind::Corpus }
@@ -38,14 +54,10 @@ pub fn kind(name: &str, text: &str) -> Kind {
 /// A file's bytes as text.
 ///
 /// # Errors
-/// Words for the person when they are not UTF-8.
-pub fn decode(name: &str, bytes: Vec<u8>) -> Result<String, String> {
+/// When they are not UTF-8.
+pub fn decode(bytes: Vec<u8>) -> Result<String, Fault> {
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        let line = 1 + error.as_bytes().iter().take(at).filter(|b| **b == b'\n').count();
-        format!(
-            "{name} is not text in UTF-8 (first seen in line {line}). Save it again as UTF-8, \
-             or choose the CSV file itself, not a spreadsheet or an archive."
-        )
+        Fault::NotText(1 + error.as_bytes().iter().take(at).filter(|b| **b == b'\n').count())
     })
 }

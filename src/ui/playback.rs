@@ -1,10 +1,7 @@
-//! A plan as it is played: where in it the robot is, and whether it goes on by itself.
+//! A plan as it is played: where in it the robot is, whether it goes on by itself, and what it did not expect.
 
-use crate::domain::State;
+use crate::domain::{Lock, State};
 use crate::worker::protocol::PlanText;
-
-/// Milliseconds from one step to the next.
-pub const STEP_MS: u32 = 280;
 
 /// A plan with at least one action, and the step that is shown. Invariant: `at < states.len()`, and there is
 /// one more state than actions.
@@ -14,6 +11,17 @@ pub struct Playback {
     states: Vec<State>,
     at: usize,
     playing: bool,
+}
+
+/// What a step did that the plan did not count on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Surprise {
+    /// A door that nobody had tried is locked.
+    DoorLocked,
+    /// Nothing happened: the robot slipped.
+    Slipped,
+    /// What the robot moved stayed behind, and the robot with it.
+    LeftBehind,
 }
 
 impl Playback {
@@ -63,6 +71,23 @@ impl Playback {
     /// The action that led to the state shown.
     pub fn latest(&self) -> Option<&str> {
         self.actions.get(self.at.checked_sub(1)?).map(String::as_str)
+    }
+
+    /// What the latest action did that nobody expected.
+    pub fn surprise(&self) -> Option<Surprise> {
+        let before = self.states.get(self.at.checked_sub(1)?)?;
+        let (after, action) = (self.shown()?, self.latest()?);
+        let locks = before.doors.iter().zip(&after.doors);
+        let turns = action.starts_with("turn_");
+        if locks.clone().any(|(was, is)| was.lock == Lock::Unknown && is.lock == Lock::Locked) {
+            Some(Surprise::DoorLocked)
+        } else if before == after {
+            Some(Surprise::Slipped)
+        } else if !turns && (before.agent.x, before.agent.y) == (after.agent.x, after.agent.y) {
+            Some(Surprise::LeftBehind)
+        } else {
+            None
+        }
     }
 
     /// Whether it goes on by itself.

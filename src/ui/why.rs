@@ -1,159 +1,288 @@
-//! Why a command came to nothing, in plain words: what is wrong, and what to do about it.
+//! Why a command came to nothing, or to less than it might: what is wrong, what to do about it, and what the page can
+//! do at the press of a button.
 
-use crate::worker::protocol::{Answer, Fate, Phrase, Refers};
+use super::action::Effect;
+use super::document::Said;
+use super::edit::{self, Look};
+use super::link::{self, Link};
+use super::room::{self, Mode};
+use super::state::State;
+use super::{talk, teach};
+use crate::domain::{Lock, Shape};
+
+use crate::worker::protocol::{
+    Answer, Article, Fate, Noun, Phrase, PlanText, Reading, Referent, Refers, WorldRules,
+};
+
+/// Help that is offered at most so often for one phrase.
+const MOST_HELPS: usize = 4;
 
 /// One thing that is wrong, or worth knowing.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Message {
-    /// Its kind, in the command line's words; names the message in tests and styles.
+    /// Its kind: names the message in tests and styles.
     pub kind: &'static str,
     /// What is wrong.
     pub what: String,
     /// What to do about it.
     pub fix: String,
+    /// The words that it is about.
+    pub link: Option<Link>,
+    /// What the page can do.
+    pub helps: Vec<Help>,
 }
 
-fn message(kind: &'static str, what: impl Into<String>, fix: impl Into<String>) -> Message {
-    Message { kind, what: what.into(), fix: fix.into() }
+/// What the page can do about a message.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Help {
+    /// Says a word in place of others, and asks again: the places of the words, and what to say.
+    Say(Link, String),
+    /// Shows what the command means.
+    Teach,
+    /// Points at words, and at what is in question in the room.
+    Show(Link),
+    /// Puts a thing into the room, and asks again.
+    Add(Look),
+    /// Changes the room.
+    Edit,
+    /// Lets the robot move what the command does not name, and asks again.
+    FreeLandmarks,
+    /// Lets the robot pull, and asks again.
+    Pull,
+    /// Opens all doors, and asks again.
+    Unlock,
+    /// Leaves nothing to chance, and asks again.
+    NoChance,
+    /// Goes to another random world.
+    OtherWorld,
 }
 
-/// Everything worth telling about an answer, in the order in which the command went wrong; empty when the
-/// command was understood and there is a plan to play.
-pub fn explain(answer: &Answer) -> Vec<Message> {
+/// Everything worth telling about the answer that is shown, in the order in which the command went wrong; empty when
+/// it was understood and there is a plan to play.
+pub fn messages(state: &State) -> Vec<Message> {
+    let Some(answer) = state.heard() else { return Vec::new() };
     let mut messages = Vec::new();
-    messages.extend(answer.reason.as_deref().map(|reason| parsing(reason, answer)));
-    messages.extend(skipping(answer));
-    let Some(best) = answer.readings.first() else { return messages };
-    let failing = |phrase: &&Phrase| !matches!(phrase.refers, Refers::One | Refers::Inner);
-    let failures: Vec<&Phrase> = best.phrases.iter().filter(failing).collect();
-    for failure in &failures {
-        messages.push(message(
-            "no_referent",
-            fails(failure, answer),
-            "Name something that is in the room picture, and name it so that only one thing fits.",
-        ));
+    messages.extend(parsing(state, answer));
+    messages.extend(left_out(state, answer));
+    let reading = state.heard_reading();
+    if let Some(reading) = reading {
+        let failing =
+            reading.phrases.iter().filter(|p| !matches!(p.refers, Refers::One | Refers::Inner));
+        messages.extend(failing.map(|phrase| reference(state, phrase)));
     }
-    match &answer.plan {
-        None if messages.is_empty() => messages.push(message(
-            "no_plan",
-            "There is a meaning, but no plan was made for it.",
-            "Say it in another way.",
-        )),
-        None => {}
-        Some(plan) => match plan.reason.as_deref() {
-            Some("no_referent") if !failures.is_empty() => {}
-            Some(reason) => messages.push(planning(reason)),
-            None if plan.actions.is_empty() => messages.push(message(
-                "already_true",
-                "That is already so: the robot has nothing to do.",
-                "Ask for something that is not so yet.",
-            )),
-            None => {}
-        },
+    // What is typed has no plan yet.
+    if state.talk.live.is_none()
+        && let Some(Said { plan: Some(plan), .. }) = &state.document.said
+    {
+        let refers = messages.iter().all(|message| message.kind != "no_referent");
+        messages.extend(planning(state, plan, reading, refers));
     }
     messages
 }
 
-/// Words that were left out, so that the rest could be understood: never seen ones first.
-fn skipping(answer: &Answer) -> Vec<Message> {
+fn message(
+    kind: &'static str,
+    (what, fix): (impl Into<String>, &str),
+    link: Option<Link>,
+    helps: Vec<Help>,
+) -> Message {
+    Message { kind, what: what.into(), fix: fix.to_owned(), link, helps }
+}
+
+fn parsing(state: &State, answer: &Answer) -> Option<Message> {
+    let text = state.text();
+    let unknown: Vec<&str> = with_fate(answer, Fate::Unknown).map(|(_, word)| word).collect();
+    let why = &text.why;
+    Some(match answer.reason.as_deref()? {
+        "empty" => message("empty", why.empty, None, Vec::new()),
+        "too_long" => message("too_long", why.too_long, None, Vec::new()),
+        "unknown_words" => {
+            let what = (why.unknown_words.0)(&unknown);
+            message("unknown_words", (what, why.unknown_words.1), None, spellings(answer, true))
+        }
+        "no_parse" => message("no_parse", why.no_parse, None, vec![Help::Teach]),
+        "tie" => {
+            let what = (why.tie.0)(answer.readings.len());
+            message("tie", (what, why.tie.1), None, Vec::new())
+        }
+        "budget" => message("budget", why.budget, None, Vec::new()),
+        _ => message("other", why.no_parse, None, vec![Help::Teach]),
+    })
+}
+
+/// Words that were left out so that the rest could be understood: never seen ones first.
+fn left_out(state: &State, answer: &Answer) -> Vec<Message> {
     if answer.readings.is_empty() {
         return Vec::new();
     }
-    let (unknown, known) = (of_fate(answer, Fate::Unknown), of_fate(answer, Fate::Skipped));
-    let fix = "See whether the meaning below is still what you meant.";
-    let left_out = |kind, what: &str, words: &[String]| {
-        (!words.is_empty()).then(|| message(kind, format!("{what}: {}.", quoted(words)), fix))
+    let why = &state.text().why;
+    let told = |fate, kind, (what, fix): (fn(&[&str]) -> String, &str), helps| {
+        let words: Vec<&str> = with_fate(answer, fate).map(|(_, word)| word).collect();
+        let first = with_fate(answer, fate).next().map(|(place, _)| (place, place + 1));
+        (!words.is_empty()).then(|| message(kind, (what(&words), fix), first, helps))
     };
-    let unknown = left_out("unknown_words", "Never seen in training, so left out", &unknown);
-    let known = left_out("skipped", "These words were left out", &known);
+    let unknown =
+        told(Fate::Unknown, "unknown_words", why.unknown_left_out, spellings(answer, true));
+    let known = told(Fate::Skipped, "skipped", why.skipped, vec![Help::Teach]);
     unknown.into_iter().chain(known).collect()
 }
 
-fn parsing(reason: &str, answer: &Answer) -> Message {
-    match reason {
-        "empty" => message(
-            "empty",
-            "There is no word in this command.",
-            "Type what the robot should do, such as “go to the blue room”.",
-        ),
-        "too_long" => message(
-            "too_long",
-            "This command has more than 50 words; one that long is not read.",
-            "Say it in fewer words, or in several commands one after the other.",
-        ),
-        "unknown_words" => message(
-            "unknown_words",
-            format!("Never seen in training: {}.", quoted(&of_fate(answer, Fate::Unknown))),
-            "Use other words, or train on a corpus whose commands hold these.",
-        ),
-        "no_parse" => message(
-            "no_parse",
-            "The words are known, but they do not fit together into a goal.",
-            "Try the order of words of the commands it was trained on.",
-        ),
-        "tie" => message(
-            "tie",
-            format!("Several meanings are equally good ({}).", answer.readings.len()),
-            "Say it more exactly, or train on more commands. All of them are listed below.",
-        ),
-        "budget" => message(
-            "budget",
-            "This command has too many readings to look at them all.",
-            "Say it in fewer words.",
-        ),
-        other => message(
-            "other",
-            format!("There is no single meaning ({other})."),
-            "Say it in another way.",
-        ),
-    }
+fn with_fate(answer: &Answer, fate: Fate) -> impl Iterator<Item = (usize, &str)> {
+    let words = answer.words.iter().enumerate().filter(move |(_, word)| word.fate == fate);
+    words.map(|(place, word)| (place, &*word.text))
 }
 
-fn planning(reason: &str) -> Message {
-    match reason {
-        "no_referent" => message(
-            "no_referent",
-            "A phrase of this command does not name exactly one thing in this world.",
-            "Name something that is in the room picture, and name it so that only one thing fits.",
-        ),
-        "unreachable" => message(
-            "unreachable",
-            "It is understood, but the robot cannot bring it about: a wall, a locked door, a corner or a thing that it was not told to move is in the way.",
-            "Ask for something else, or undo or reset the world and try again.",
-        ),
-        "budget" => message(
-            "plan_budget",
-            "It is understood, but no plan was found within the time allowed.",
-            "Ask for a part of it first.",
-        ),
-        "bad_goal" => message(
-            "bad_goal",
-            "It was read as something that cannot be a goal of this world.",
-            "Say it in another way.",
-        ),
-        other => message("other", format!("There is no plan ({other})."), "Say it in another way."),
-    }
+/// Known words in place of unknown ones; teaching, too.
+fn spellings(answer: &Answer, teach: bool) -> Vec<Help> {
+    let words = answer.words.iter().enumerate().filter(|(_, word)| word.fate == Fate::Unknown);
+    let near = words.flat_map(|(place, word)| {
+        word.near.iter().map(move |near| Help::Say((place, place + 1), near.clone()))
+    });
+    near.take(MOST_HELPS).chain(teach.then_some(Help::Teach)).collect()
 }
 
-/// Why a phrase names no single thing.
-fn fails(phrase: &Phrase, answer: &Answer) -> String {
-    let words = phrase.words.iter().filter_map(|&at| answer.words.get(at));
-    let words: Vec<&str> = words.map(|word| word.text.as_str()).collect();
-    let said = quoted(&[words.join(" ")]);
+/// A phrase that does not refer, with what would.
+fn reference(state: &State, phrase: &Phrase) -> Message {
+    let text = state.text();
+    let own = link::span(phrase);
+    let mut helps: Vec<Help> = own.map(Help::Show).into_iter().collect();
     match phrase.refers {
-        Refers::None => format!("Nothing here is what {said} says."),
-        Refers::Several => format!("{said} fits {} things here.", phrase.referents.len()),
-        Refers::Tie => format!("{said} fits {} things of one size.", phrase.referents.len()),
-        Refers::Single => format!("There is only one thing for {said} to choose from."),
-        _ => format!("The things that {said} speaks of cannot be compared in size."),
+        Refers::Several | Refers::Tie => helps.extend(own.into_iter().flat_map(|own| {
+            let names = phrase.referents.iter().filter_map(|r| distinct(r, &phrase.referents));
+            names.take(MOST_HELPS).map(move |name| Help::Say(own, name))
+        })),
+        Refers::None => helps = look(phrase).map(Help::Add).into_iter().collect(),
+        _ => {}
     }
+    helps.push(Help::Edit);
+    let what = text.failure(phrase);
+    message("no_referent", (what, text.why.no_referent), own, helps)
 }
 
-fn of_fate(answer: &Answer, fate: Fate) -> Vec<String> {
-    let words = answer.words.iter().filter(|word| word.fate == fate);
-    words.map(|word| word.text.clone()).collect()
+/// A name in the parser's English that fits this thing and none of the others.
+fn distinct(referent: &Referent, all: &[Referent]) -> Option<String> {
+    let name = |r: &Referent| {
+        let noun: &str = match r.shape {
+            Some(shape) => shape.name(),
+            None => &r.class,
+        };
+        Some(format!("the {} {noun}", r.color?.name()))
+    };
+    let own = name(referent)?;
+    (all.iter().filter(|r| name(r).as_ref() == Some(&own)).count() == 1).then_some(own)
 }
 
-fn quoted(words: &[String]) -> String {
-    words.iter().map(|w| format!("“{w}”")).collect::<Vec<_>>().join(", ")
+/// How an object would look that a phrase without a referent describes, if it says no more than that.
+fn look(phrase: &Phrase) -> Option<Look> {
+    let Noun::Described(described) = &phrase.noun else { return None };
+    if described.article != Article::The || !described.claims.is_empty() {
+        return None;
+    }
+    let known = |property: &String| {
+        property.parse::<crate::domain::Color>().is_ok()
+            || property.parse::<Shape>().is_ok()
+            || property == "object"
+    };
+    if !described.properties.iter().all(known) {
+        return None;
+    }
+    let shape = described.properties.iter().find_map(|p| p.parse().ok());
+    let color = described.properties.iter().find_map(|p| p.parse().ok());
+    shape.is_some().then(|| Look {
+        shape: shape.unwrap_or(Shape::Block),
+        color: color.unwrap_or(crate::domain::Color::Yellow),
+        size: None,
+    })
+}
+
+fn planning(
+    state: &State,
+    plan: &PlanText,
+    reading: Option<&Reading>,
+    refers: bool,
+) -> Option<Message> {
+    let why = &state.text().why;
+    let rules = &state.document.rules;
+    let locked = state.shown().doors.iter().any(|door| door.lock != Lock::Unlocked);
+    let is_sure = (rules.slip, rules.lock, rules.loss) == (0.0, 0.0, 0.0);
+    let freeing = [
+        (rules.landmarks_stay, Help::FreeLandmarks),
+        (!rules.pull, Help::Pull),
+        (locked, Help::Unlock),
+    ];
+    let freeing =
+        || freeing.iter().filter(|(useful, _)| *useful).map(|(_, help)| help.clone()).collect();
+    Some(match plan.reason.as_deref() {
+        Some("no_referent") if refers => {
+            message("no_referent", (why.no_world, why.no_referent), None, vec![Help::Edit])
+        }
+        Some("no_referent") => return None,
+        Some("unreachable") => message("unreachable", why.unreachable, None, freeing()),
+        Some("budget") if plan.reached => return None,
+        Some("budget") => {
+            let helps = if is_sure { freeing() } else { vec![Help::NoChance] };
+            message("plan_budget", why.plan_budget, None, helps)
+        }
+        Some(_) => message("bad_goal", why.bad_goal, None, vec![Help::Teach]),
+        None if plan.actions.is_empty() && plan.reached => {
+            let link = reading.and_then(|reading| link::span(reading.phrases.last()?));
+            message("already_true", why.already_true, link, vec![Help::OtherWorld])
+        }
+        None if !plan.reached => {
+            message("not_reached", why.not_reached, None, vec![Help::NoChance])
+        }
+        None => return None,
+    })
+}
+
+/// Does what a button of a message says.
+pub(super) fn help(state: &mut State, help: Help, effects: &mut Vec<Effect>) {
+    let rules = state.document.rules;
+    let again = |state: &mut State, rules: WorldRules, effects: &mut Vec<Effect>| {
+        state.record();
+        state.document.rules = rules;
+        talk::plan_again(state, effects);
+    };
+    match help {
+        Help::Say((start, end), phrase) => {
+            let Some(answer) = state.heard() else { return };
+            let mut words: Vec<String> =
+                answer.words.iter().map(|word| word.text.clone()).collect();
+            if start <= end && end <= words.len() {
+                words.splice(start..end, [phrase]);
+                state.talk.input = words.join(" ");
+                talk::ask(state, effects);
+            }
+        }
+        Help::Teach => {
+            let command = state.heard().map(|answer| answer.command.clone());
+            room::act(state, super::Action::SetMode(Mode::Teach), effects);
+            teach::say(state, command.unwrap_or_default());
+            effects.push(Effect::Focus("room"));
+        }
+        Help::Show(link) => state.talk.link = Some(link),
+        Help::Add(look) => {
+            let command = state.heard().map(|answer| answer.command.clone());
+            room::changed_to(state, edit::add_anywhere(state.shown(), look), effects);
+            state.talk.input = command.unwrap_or_default();
+            talk::ask(state, effects);
+        }
+        Help::Edit => {
+            room::act(state, super::Action::SetMode(Mode::Edit), effects);
+            effects.push(Effect::Focus("room"));
+        }
+        Help::FreeLandmarks => again(state, WorldRules { landmarks_stay: false, ..rules }, effects),
+        Help::Pull => again(state, WorldRules { pull: true, ..rules }, effects),
+        Help::NoChance => {
+            again(state, WorldRules { slip: 0.0, lock: 0.0, loss: 0.0, ..rules }, effects);
+        }
+        Help::Unlock => {
+            let command = state.heard().map(|answer| answer.command.clone());
+            let unlocked = edit::unlock(state.shown());
+            room::changed_to(state, Ok(unlocked), effects);
+            state.talk.input = command.unwrap_or_default();
+            talk::ask(state, effects);
+        }
+        Help::OtherWorld => room::act(state, super::Action::DrawWorld, effects),
+    }
 }

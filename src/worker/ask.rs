@@ -58,7 +58,7 @@ impl Asking {
     /// Parses, and begins to plan for the best reading.
     fn read(&mut self, model: &mut Model) -> Asked {
         let parse = parse(model, &self.command, ChartConfig::of(model));
-        let mut answer = Box::new(self.answer(model, &parse));
+        let mut answer = Box::new(answer(model, &parse, &self.command, &self.state));
         let Some(best) = parse.answer() else { return Asked::Answered(answer, None) };
         let Ok(goal) = Goal::new(&model.grammar.terms, best.form, &self.state) else {
             answer.plan = Some(no_plan(&self.state, "bad_goal"));
@@ -76,15 +76,15 @@ impl Asking {
             Err(error) => Asked::Failed(error),
         }
     }
+}
 
-    /// Everything but the plan.
-    fn answer(&self, model: &mut Model, parse: &Parse) -> Answer {
-        Answer {
-            command: self.command.clone(),
-            words: words(model, parse),
-            readings: shown(parse).map(|one| reading(model, parse, one, &self.state)).collect(),
-            reason: parse.reason.map(|reason| reason.name().to_owned()),
-            plan: None,
-        }
+/// Everything but the plan.
+pub(super) fn answer(model: &mut Model, parse: &Parse, command: &str, state: &State) -> Answer {
+    Answer {
+        command: command.to_owned(),
+        words: words(model, parse),
+        readings: shown(parse).map(|one| reading(model, parse, one, state)).collect(),
+        reason: parse.reason.map(|reason| reason.name().to_owned()),
+        plan: None,
     }
 }

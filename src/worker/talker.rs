@@ -1,14 +1,14 @@
 //! The program that talks: opens a model, answers commands, plans, and is asked about what it found. It is what the
 //! page loads first, so it knows nothing of corpora and learning.
 
-use super::ask::{Asked, Asking};
+use super::ask::{Asked, Asking, answer};
 use super::job::{Job, Role, Step, misdirected, say};
 use super::plan::{Begun, Planned, Planning};
 use super::protocol::{Event, MOST_RUNS, PlanText, Program, Request, TrainReport, WorldRules};
 use super::read::studies;
 use super::watch::{Rolling, Valuing};
 use super::world;
-use crate::ccg::Model;
+use crate::ccg::{ChartConfig, Model, parse};
 use crate::domain::State;
 use crate::ground::Goal;
 use crate::logic::{Terms, read};
@@ -31,6 +31,12 @@ impl Role for Talker {
     fn begin(&mut self, request: Request) -> Result<Job<Talker>, String> {
         match request {
             Request::OpenModel { text } => Ok(open_model(text)),
+            Request::Read { command, state } => {
+                let model = self.model.as_mut().ok_or(NO_MODEL)?;
+                state.check().map_err(|error| error.to_string())?;
+                let parse = parse(model, &command, ChartConfig::of(model));
+                say(Event::Answer(Box::new(answer(model, &parse, &command, &state))))
+            }
             Request::Ask { command, state, rules } => {
                 self.model.as_ref().ok_or(NO_MODEL)?;
                 state.check().map_err(|error| error.to_string())?;

@@ -65,13 +65,13 @@ impl Valuing {
                 None => 0.0,
                 Some(_) => policy.value(state)?,
             };
-            Some((value, goal, policy.action(state).filter(|_| !goal && value > 0.0)))
+            Some((value, goal, heading, policy.action(state).filter(|_| !goal && value > 0.0)))
         };
         let all = Direction::ALL.iter().filter_map(worth);
-        let (value, goal, action) =
+        let (value, goal, facing, action) =
             all.reduce(|best, one| if one.0 > best.0 { one } else { best })?;
         let (x, y) = dynamics.layout().cell(place);
-        Some(CellValue { x, y, value, action: action.map(|a| a.name().to_owned()), goal })
+        Some(CellValue { x, y, facing, value, action: action.map(|a| a.name().to_owned()), goal })
     }
 }
 

@@ -1,62 +1,110 @@
-//! What a command was taken to mean: words, meaning, form, score, derivation, and why nothing came of it.
+//! What a command was taken to mean: its words, the goal in plain words, and why nothing came of it, with help.
 
-use crate::ui::why;
-use crate::worker::protocol::{Answer, Fate, Reading};
-use std::rc::Rc;
-use yew::{Html, Properties, component, html};
+use super::words::use_text;
+use crate::ui::Action;
+use crate::ui::link::{Link, holds};
+use crate::ui::text::Text;
+use crate::ui::why::{Help, Message};
+use crate::worker::protocol::{Fate, Reading, Word};
+use yew::{Callback, Html, Properties, classes, component, html};
 
 #[derive(PartialEq, Properties)]
 pub(super) struct Props {
-    pub(super) answer: Option<Rc<Answer>>,
+    pub(super) words: Vec<Word>,
+    pub(super) reading: Option<Reading>,
+    /// Whether this is of a command that is being typed.
+    pub(super) live: bool,
+    pub(super) messages: Vec<Message>,
+    pub(super) link: Option<Link>,
+    pub(super) act: Callback<Action>,
 }
 
-/// The answer to the last command.
+/// The answer to the command.
 #[component]
 pub(super) fn AnswerPanel(props: &Props) -> Html {
-    let Some(answer) = &props.answer else { return Html::default() };
-    let tie = answer.reason.as_deref() == Some("tie");
-    let messages = why::explain(answer);
+    let text = use_text();
+    let Props { words, reading, live, messages, link, act } = props;
     html! {
-        <div class="answer" data-testid="answer">
-            if !answer.words.is_empty() {
-                <p class="words" aria-label="The words as it reads them">
-                    { for answer.words.iter().map(|word| {
-                        let unknown = (word.fate == Fate::Unknown).then_some("unknown");
-                        html! { <span class={yew::classes!("word", unknown)}>{ &word.text }</span> }
-                    }) }
+        <div class="answer" data-testid="answer" data-live={live.to_string()}>
+            if !words.is_empty() {
+                <p class="words" lang="en" aria-label={text.the_words}>
+                    { for words.iter().enumerate().map(|(place, word)| show(text, place, word, *link, act)) }
                 </p>
             }
-            { for messages.iter().map(|m| html! {
-                <div class="notice" data-testid="why" data-kind={m.kind}>
-                    <p><strong>{ &m.what }</strong></p><p>{ &m.fix }</p>
-                </div>
-            }) }
-            { for answer.readings.iter().enumerate().map(|(i, reading)| {
-                let title = match (tie, i) {
-                    (false, 0) => "It means".to_owned(),
-                    (true, _) => format!("Meaning {}", i + 1),
-                    (false, _) => "Less likely".to_owned(),
-                };
-                show(reading, title, i == 0)
-            }) }
+            if let Some(reading) = reading {
+                <p class="understood" data-testid="understood">
+                    <span class="dim">{ if *live { text.it_would_mean } else { text.it_means } }</span>
+                    <strong data-testid="plain">{ text.sentence(&reading.claim) }</strong>
+                </p>
+            }
+            { for messages.iter().map(|message| tell(text, message, words, act)) }
         </div>
     }
 }
 
-fn show(reading: &Reading, title: String, first: bool) -> Html {
+fn show(
+    text: &Text,
+    place: usize,
+    word: &Word,
+    link: Option<Link>,
+    act: &Callback<Action>,
+) -> Html {
+    let (fate, help) = match word.fate {
+        Fate::Meant => ("meant", None),
+        Fate::Empty => ("empty", Some(text.fate_empty)),
+        Fate::Skipped => ("skipped", Some(text.fate_skipped)),
+        Fate::Unknown => ("unknown", Some(text.fate_unknown)),
+        Fate::Idle => ("idle", None),
+    };
+    let on = act.reform(move |_: yew::MouseEvent| Action::Link(Some((place, place + 1))));
+    let off = act.reform(|_: yew::MouseEvent| Action::Link(None));
+    let focus = act.reform(move |_: yew::FocusEvent| Action::Link(Some((place, place + 1))));
+    let blur = act.reform(|_: yew::FocusEvent| Action::Link(None));
+    let heard = word.heard.as_ref().map(|heard| (text.heard_as)(heard));
     html! {
-        <details class="reading" open={first} data-testid="reading">
-            <summary>
-                <span class="reading-title">{ title }</span>
-                <span class="human" data-testid="reading-human">{ for reading.formula.iter().map(|p| &p.text) }</span>
-                <span class="score" data-testid="reading-score" title="Score">
-                    { format!("score {:.2}", reading.score) }
-                </span>
-            </summary>
-            <h3>{"Form"}</h3>
-            <pre tabindex="0" data-testid="reading-form">{ &reading.form }</pre>
-            <h3>{"Derivation"}</h3>
-            <pre tabindex="0" data-testid="reading-derivation">{ &reading.derivation }</pre>
-        </details>
+        <span class={classes!("word", fate, holds(link, place).then_some("linked"))} tabindex="0"
+            title={heard.clone().or(help.map(str::to_owned))} data-testid="word" data-fate={fate}
+            onmouseenter={on} onmouseleave={off} onfocus={focus} onblur={blur}>
+            { &word.text }
+            if let Some(heard) = &word.heard { <span class="heard">{"→ "}{ heard }</span> }
+            if let Some(help) = help { <span class="unseen" lang={text.code}>{ format!(" ({help})") }</span> }
+        </span>
+    }
+}
+
+fn tell(text: &Text, message: &Message, words: &[Word], act: &Callback<Action>) -> Html {
+    html! {
+        <div class="notice" data-testid="why" data-kind={message.kind}>
+            <p><strong>{ &message.what }</strong>{" "}{ &message.fix }</p>
+            if !message.helps.is_empty() {
+                <p class="buttons">
+                    { for message.helps.iter().map(|help| {
+                        let done = help.clone();
+                        html! {
+                            <button type="button" class="quiet" data-testid="help" data-help={kind(help)}
+                                onclick={act.reform(move |_| Action::Help(done.clone()))}>
+                                { text.help(help, words) }
+                            </button>
+                        }
+                    }) }
+                </p>
+            }
+        </div>
+    }
+}
+
+/// What a button does, for tests.
+const fn kind(help: &Help) -> &'static str {
+    match help {
+        Help::Say(..) => "say",
+        Help::Teach => "teach",
+        Help::Show(_) => "show",
+        Help::Add(_) => "add",
+        Help::Edit => "edit",
+        Help::FreeLandmarks => "free-landmarks",
+        Help::Pull => "pull",
+        Help::Unlock => "unlock",
+        Help::NoChance => "no-chance",
+        Help::OtherWorld => "other-world",
     }
 }

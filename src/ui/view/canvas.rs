@@ -6,8 +6,8 @@ use super::{host, sketch};
 use crate::domain::State;
 use crate::render::link::{self, LinkError, View};
 use crate::render::{Extent, Fit, Motion, Options, Scene};
-use crate::ui::describe;
 use crate::ui::point::{Point, PointKind};
+use crate::ui::text::room_at;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen_futures::spawn_local;
@@ -179,7 +179,7 @@ impl Component for Canvas {
                 data-testid="stage" data-backend={backend}
                 data-still={self.motion.is_none().to_string()}
                 data-robot-x={shown.agent.x.to_string()} data-robot-y={shown.agent.y.to_string()}
-                data-robot-place={describe::place(shown, shown.agent.x, shown.agent.y)}>
+                data-robot-room={room_at(shown, (shown.agent.x, shown.agent.y)).map_or("", |color| color.name())}>
                 if self.canvas < CANVASES {
                     <canvas key={self.canvas} ref={self.node.clone()} aria-hidden="true" />
                 }

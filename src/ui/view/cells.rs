@@ -1,7 +1,9 @@
 //! The world cell by cell, as a table: what the picture shows, for those who do not see it.
 
+use super::words::use_text;
 use crate::domain::State;
 use crate::render::Grid;
+use crate::ui::text::Text;
 use web_sys::{Event, HtmlDetailsElement};
 use yew::{Callback, Html, Properties, TargetCast, component, html, use_state_eq};
 
@@ -13,6 +15,7 @@ pub(super) struct Props {
 /// The table, made when it is opened.
 #[component]
 pub(super) fn Cells(props: &Props) -> Html {
+    let text = use_text();
     let open = use_state_eq(|| false);
     let toggled = {
         let open = open.clone();
@@ -23,24 +26,26 @@ pub(super) fn Cells(props: &Props) -> Html {
     };
     html! {
         <details class="cells" ontoggle={toggled} data-testid="cells">
-            <summary>{"Cell by cell"}</summary>
-            if *open { { table(&Grid::of(&props.shown)) } }
+            <summary>{ text.cell_by_cell }</summary>
+            if *open { { table(text, &props.shown) } }
         </details>
     }
 }
 
-fn table(grid: &Grid) -> Html {
+fn table(text: &Text, shown: &State) -> Html {
+    let grid = Grid::of(shown);
+    let label = |x, y| text.cell(shown, (x, y));
     html! {
-        <div class="scroll" tabindex="0" role="group" aria-label="The room, cell by cell">
+        <div class="scroll" tabindex="0" role="group" aria-label={text.cell_by_cell}>
             <table>
-                <caption class="unseen">{"The room, from the north row to the south, cells from the west."}</caption>
+                <caption class="unseen">{ text.cells_caption }</caption>
                 <tbody>
                     { for grid.rows.iter().map(|row| html! {
                         <tr>
                             { for row.iter().map(|cell| html! {
-                                <td class={cell.class.clone()} title={cell.label.clone()}>
+                                <td class={cell.class.clone()} title={label(cell.x, cell.y)}>
                                     <span aria-hidden="true">{ &cell.symbol }</span>
-                                    <span class="unseen">{ &cell.label }</span>
+                                    <span class="unseen">{ label(cell.x, cell.y) }</span>
                                 </td>
                             }) }
                         </tr>

@@ -13,20 +13,20 @@ const LEAST: f32 = 0.1;
 
 /// What a [`Plot`] shows.
 #[derive(PartialEq, Properties)]
-pub struct PlotProps {
+pub(super) struct PlotProps {
     /// The chart.
-    pub chart: Chart,
+    pub(super) chart: Chart,
     /// What it is, in words.
-    pub label: AttrValue,
+    pub(super) label: AttrValue,
     /// What its x axis counts.
-    pub x_name: AttrValue,
+    pub(super) x_name: AttrValue,
     /// What its y axis measures.
-    pub y_name: AttrValue,
+    pub(super) y_name: AttrValue,
 }
 
 /// A chart with its axes.
 #[component]
-pub fn Plot(props: &PlotProps) -> Html {
+pub(super) fn Plot(props: &PlotProps) -> Html {
     let PlotProps { chart, label, x_name, y_name } = props;
     let [left, top, right, bottom] = Chart::FRAME;
     let x_ticks = chart.x.ticks();
@@ -58,23 +58,23 @@ pub fn Plot(props: &PlotProps) -> Html {
 
 /// What [`Bounds`] shows.
 #[derive(PartialEq, Properties)]
-pub struct BoundsProps {
+pub(super) struct BoundsProps {
     /// What a planner told on its way.
-    pub reports: Vec<PlanProgress>,
+    pub(super) reports: Vec<PlanProgress>,
     /// What it is, in words.
-    pub label: AttrValue,
+    pub(super) label: AttrValue,
     /// The name of the bounds.
-    pub bounds: AttrValue,
+    pub(super) bounds: AttrValue,
     /// The name of the residual.
-    pub residual: AttrValue,
+    pub(super) residual: AttrValue,
     /// The name of the steps.
-    pub steps: AttrValue,
+    pub(super) steps: AttrValue,
 }
 
 /// How a planner came to its answer: what it proved of the start, and how much its values still changed. A chart
 /// without anything to show is left out.
 #[component]
-pub fn Bounds(props: &BoundsProps) -> Html {
+pub(super) fn Bounds(props: &BoundsProps) -> Html {
     let BoundsProps { reports, label, bounds, residual, steps } = props;
     let at = |report: &PlanProgress| report.steps as f64;
     let proved: Vec<_> = reports.iter().map(|report| (at(report), report.bounds)).collect();
@@ -94,20 +94,20 @@ pub fn Bounds(props: &BoundsProps) -> Html {
 
 /// What a [`Legend`] shows.
 #[derive(PartialEq, Properties)]
-pub struct LegendProps {
+pub(super) struct LegendProps {
     /// Whose colours.
-    pub theme: Theme,
+    pub(super) theme: Theme,
     /// What the lowest value is that is worth anything.
-    pub low: AttrValue,
+    pub(super) low: AttrValue,
     /// What the highest value is.
-    pub high: AttrValue,
+    pub(super) high: AttrValue,
     /// What the values are, in words.
-    pub label: AttrValue,
+    pub(super) label: AttrValue,
 }
 
 /// The colours and sizes of values from low to high.
 #[component]
-pub fn Legend(props: &LegendProps) -> Html {
+pub(super) fn Legend(props: &LegendProps) -> Html {
     let LegendProps { theme, low, high, label } = props;
     let step = |i: u32| {
         let share = i as f32 / (STEPS - 1) as f32;
@@ -129,18 +129,18 @@ pub fn Legend(props: &LegendProps) -> Html {
 
 /// What an [`Interval`] shows.
 #[derive(PartialEq, Properties)]
-pub struct IntervalProps {
+pub(super) struct IntervalProps {
     /// The share, in 0..=1.
-    pub share: f64,
+    pub(super) share: f64,
     /// What confidence leaves open of it.
-    pub interval: [f64; 2],
+    pub(super) interval: [f64; 2],
     /// Both, in words.
-    pub label: AttrValue,
+    pub(super) label: AttrValue,
 }
 
 /// A share of all, with its interval.
 #[component]
-pub fn Interval(props: &IntervalProps) -> Html {
+pub(super) fn Interval(props: &IntervalProps) -> Html {
     let percent = |share: f64| (100.0 * share).clamp(0.0, 100.0);
     let [low, high] = props.interval.map(percent);
     let share = percent(props.share);

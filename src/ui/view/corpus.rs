@@ -3,10 +3,12 @@
 use super::files::OpenFile;
 use super::notice::Problems;
 use super::row::Row;
+use super::words::use_text;
 use crate::render::Theme;
 use crate::ui::Action;
 use crate::ui::corpus::Corpus;
-use crate::ui::state::FileNotice;
+use crate::ui::text::Text;
+use crate::ui::train::FileNotice;
 use yew::{Callback, Html, Properties, component, html};
 
 #[derive(PartialEq, Properties)]
@@ -20,48 +22,49 @@ pub(super) struct Props {
 /// The corpus panel.
 #[component]
 pub(super) fn CorpusPanel(props: &Props) -> Html {
+    let text = use_text();
     let Props { corpus, notice, theme, act } = props;
     html! {
         <section class="card corpus" aria-labelledby="corpus-title">
             <div class="card-head">
-                <h2 id="corpus-title">{"What it learns from"}</h2>
+                <h2 id="corpus-title">{ text.corpus }</h2>
                 if let Some(corpus) = corpus {
                     <span class="tag" data-testid="corpus-name">{ &corpus.report.name }</span>
                 }
             </div>
-            <OpenFile id="corpus-file" label="Open a corpus" accept=".csv,.tsv,.jsonl,.txt"
-                hint="or drop a file anywhere: batch-results CSV, or JSON lines" act={act.clone()} />
+            <OpenFile id="corpus-file" label={text.open_corpus} accept=".csv,.tsv,.jsonl,.txt"
+                hint={text.corpus_hint} act={act.clone()} />
             if let Some(notice) = notice {
                 <div class="notice bad" role="alert" data-testid="file-notice">
                     <p><strong>{ &notice.message }</strong></p>
                     <Problems problems={notice.problems.clone()} />
                 </div>
             }
-            if let Some(corpus) = corpus { { list(corpus, *theme, act) } }
+            if let Some(corpus) = corpus { { list(text, corpus, *theme, act) } }
         </section>
     }
 }
 
-fn list(corpus: &Corpus, theme: Theme, act: &Callback<Action>) -> Html {
+fn list(text: &Text, corpus: &Corpus, theme: Theme, act: &Callback<Action>) -> Html {
     let report = &corpus.report;
     let left = report.rows.len().saturating_sub(corpus.shown);
     html! {
         <>
             <p class="dim" data-testid="corpus-count">
-                { format!("{} commands", report.rows.len()) }
-                if report.rejected > 0 { { format!(", {} rejected rows left out", report.rejected) } }
-                if !report.problems.is_empty() { { format!(", {} problems", report.problems.len()) } }
+                { (text.commands)(report.rows.len()) }
+                if report.rejected > 0 { { (text.rejected)(report.rejected) } }
+                if !report.problems.is_empty() { { (text.problems)(report.problems.len()) } }
                 {". "}
                 <button type="button" class="link" onclick={act.reform(|_| Action::SaveCorpus)}
-                    data-testid="save-corpus">{"Save this file"}</button>
+                    data-testid="save-corpus">{ text.save_corpus }</button>
                 if !corpus.is_demo() {
                     {" "}<button type="button" class="link" onclick={act.reform(|_| Action::OpenDemo)}
-                        data-testid="open-demo">{"Back to the six sentences"}</button>
+                        data-testid="open-demo">{ text.six_sentences }</button>
                 }
             </p>
             if !report.problems.is_empty() {
                 <details class="problems-box" open={report.problems.len() <= 5}>
-                    <summary>{ format!("{} rows to look at", report.problems.len()) }</summary>
+                    <summary>{ (text.rows_to_look_at)(report.problems.len()) }</summary>
                     <Problems problems={report.problems.clone()} />
                 </details>
             }
@@ -74,7 +77,7 @@ fn list(corpus: &Corpus, theme: Theme, act: &Callback<Action>) -> Html {
             </ol>
             if left > 0 {
                 <button type="button" class="plain" data-testid="more-rows"
-                    onclick={act.reform(|_| Action::MoreRows)}>{ format!("Show more ({left} left)") }</button>
+                    onclick={act.reform(|_| Action::MoreRows)}>{ (text.more_rows)(left) }</button>
             }
         </>
     }

@@ -1,19 +1,23 @@
-//! Carries effects out: the worker, timers and downloads. The worker is web-sys's own and not gloo-worker's,
+//! Carries effects out: the workers, timers, downloads, links. The workers are web-sys's own and not gloo-worker's,
 //! since the page must be able to end an engine that no longer answers and start another.
 
-use super::host;
+use super::{address, host};
 use crate::ui::{Action, Effect};
 use crate::worker::protocol::{Envelope, Event, Program};
 use gloo_timers::callback::Timeout;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, MessageEvent, Url, Worker};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, MessageEvent, Response, Url, Worker};
 use web_sys::{WorkerOptions, WorkerType};
 use yew::Callback;
 
-/// The engines' script, beside the page, which is asked for a program by its name: its address is made from the
-/// document's base, so that it is found under any path.
+/// The engine's script, beside the page: its address is made from the document's base, so that it is found
+/// under any path.
 const SCRIPT: &str = "engine.js";
+
+/// The model that comes with the page, beside it.
+const MODEL: &str = "cleanup.model";
 
 /// Carries effects out, and tells the page what comes of them.
 pub(super) struct Effects {
@@ -51,7 +55,7 @@ impl Effects {
                 _ => Program::Talker,
             };
             if let Err(error) = self.carry_out(effect) {
-                self.act.emit(Action::EngineBroke(program, words(&error)));
+                self.act.emit(Action::EngineBroke(program, host::words(&error)));
             }
         }
     }
@@ -73,13 +77,26 @@ impl Effects {
                 let act = self.act.clone();
                 Timeout::new(ms, move || act.emit(Action::Rang(timer))).forget();
             }
-            Effect::ShowRoom => host::reveal("room"),
+            Effect::FetchModel => {
+                let act = self.act.clone();
+                spawn_local(async move {
+                    let text = fetch(MODEL).await.map_err(|error| host::words(&error));
+                    act.emit(Action::Fetched(text));
+                });
+            }
+            Effect::SetLanguage(language) => host::set_language(language.code()),
+            Effect::Share(text) => address::share(text, self.act.clone()),
+            Effect::Copy(text) => {
+                let act = self.act.clone();
+                spawn_local(async move { act.emit(Action::Copied(host::copy(&text).await)) });
+            }
+            Effect::Focus(id) => host::focus(id),
             Effect::Save { name, text } => save(&name, &text)?,
         }
         Ok(())
     }
 
-    fn engine(&mut self, program: Program) -> &mut Option<Engine> {
+    const fn engine(&mut self, program: Program) -> &mut Option<Engine> {
         match program {
             Program::Talker => &mut self.talker,
             Program::Learner => &mut self.learner,
@@ -87,10 +104,28 @@ impl Effects {
     }
 }
 
-fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
+/// The address of a file beside the page.
+fn beside(name: &str) -> Result<Url, JsValue> {
     let window = web_sys::window().ok_or("no window")?;
     let base = window.document().ok_or("no document")?.base_uri()?.ok_or("no base address")?;
-    let url = Url::new_with_base(&format!("{SCRIPT}?{}", program.name()), &base)?;
+    Url::new_with_base(name, &base)
+}
+
+/// The text of a file beside the page.
+async fn fetch(name: &str) -> Result<String, JsValue> {
+    let window = web_sys::window().ok_or("no window")?;
+    let response = JsFuture::from(window.fetch_with_str(&beside(name)?.href())).await?;
+    let response: Response = response.dyn_into()?;
+    if !response.ok() {
+        return Err(JsValue::from_str(&format!("status {}", response.status())));
+    }
+    let text = JsFuture::from(response.text()?).await?;
+    text.as_string().ok_or_else(|| JsValue::from_str("no text"))
+}
+
+fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
+    let url = beside(SCRIPT)?;
+    url.set_search(program.name());
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
     let worker = Worker::new_with_options(&url.href(), &options)?;
@@ -100,10 +135,10 @@ fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
         let text = event.data().as_string().unwrap_or_default();
         heard.emit(match serde_json::from_str::<Envelope<Event>>(&text) {
             Ok(envelope) => Action::Heard(program, envelope),
-            Err(error) => {
-                let why = format!("The engine sent a message that is none: {error}.");
-                Action::EngineBroke(program, why)
-            }
+            Err(error) => Action::EngineBroke(
+                program,
+                format!("The engine sent a message that is none: {error}."),
+            ),
         });
     });
     worker.set_onmessage(Some(message.as_ref().unchecked_ref()));
@@ -112,8 +147,10 @@ fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
     let error = Closure::new(move |event: web_sys::Event| {
         let detail = event.dyn_ref::<web_sys::ErrorEvent>().map(|e| e.message());
         let detail = detail.filter(|m| !m.is_empty());
-        let why = || format!("The files of the {} could not be loaded.", program.name());
-        broke.emit(Action::EngineBroke(program, detail.unwrap_or_else(why)));
+        broke.emit(Action::EngineBroke(
+            program,
+            detail.unwrap_or_else(|| "The engine's files could not be loaded.".to_owned()),
+        ));
     });
     worker.set_onerror(Some(error.as_ref().unchecked_ref()));
     Ok(Engine { worker, _message: message, _error: error })
@@ -131,9 +168,4 @@ fn save(name: &str, text: &str) -> Result<(), JsValue> {
     link.set_download(name);
     link.click();
     Url::revoke_object_url(&url)
-}
-
-fn words(error: &JsValue) -> String {
-    let message = error.dyn_ref::<js_sys::Error>().map(|e| String::from(e.message()));
-    message.or_else(|| error.as_string()).unwrap_or_else(|| format!("{error:?}"))
 }

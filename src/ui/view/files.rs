@@ -1,5 +1,6 @@
 //! Files: choosing and dropping them. What they are is decided in `ui::files`.
 
+use crate::ui::files::Fault;
 use crate::ui::{Action, files};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Event, File, FileList, HtmlInputElement};
@@ -40,18 +41,16 @@ pub(super) fn read_all(files: Option<FileList>, act: &Callback<Action>) {
     let Some(file) = files.and_then(|list| list.get(0)) else { return };
     let act = act.clone();
     spawn_local(async move {
+        let name = file.name();
         act.emit(match read(&file).await {
-            Ok(text) => Action::FileRead { name: file.name(), text },
-            Err(words) => Action::FileRefused(words),
+            Ok(text) => Action::FileRead { name, text },
+            Err(fault) => Action::FileRefused(name, fault),
         });
     });
 }
 
-async fn read(file: &File) -> Result<String, String> {
-    let name = file.name();
-    files::admit(&name, file.size())?;
-    let buffer = JsFuture::from(file.array_buffer()).await.map_err(|_| {
-        format!("{name} could not be read. See whether it is still there, then choose it again.")
-    })?;
-    files::decode(&name, js_sys::Uint8Array::new(&buffer).to_vec())
+async fn read(file: &File) -> Result<String, Fault> {
+    files::admit(file.size())?;
+    let buffer = JsFuture::from(file.array_buffer()).await.map_err(|_| Fault::Unreadable)?;
+    files::decode(js_sys::Uint8Array::new(&buffer).to_vec())
 }

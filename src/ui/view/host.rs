@@ -6,8 +6,9 @@ use crate::ui::action::Preferences;
 use std::sync::Once;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
 use web_sys::{CustomEvent, CustomEventInit, Element, MediaQueryList};
-use web_sys::{ScrollIntoViewOptions, ScrollLogicalPosition};
+use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition};
 use yew::Callback;
 
 /// The event that the boot script shows the crash panel on; its detail is the message.
@@ -21,13 +22,47 @@ pub(super) fn element(id: &str) -> Option<Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
 }
 
-/// Scrolls an element into view, as little as need be.
-pub(super) fn reveal(id: &str) {
+/// Gives an element the keyboard's focus, and scrolls it into view as little as need be.
+pub(super) fn focus(id: &str) {
     let options = ScrollIntoViewOptions::new();
     options.set_block(ScrollLogicalPosition::Nearest);
     if let Some(element) = element(id) {
         element.scroll_into_view_with_scroll_into_view_options(&options);
+        if let Ok(element) = element.dyn_into::<HtmlElement>() {
+            // What cannot take the focus has at least been scrolled to.
+            let _ = element.focus();
+        }
     }
+}
+
+/// The language that the person's browser asks for.
+pub(super) fn language() -> String {
+    web_sys::window().and_then(|w| w.navigator().language()).unwrap_or_default()
+}
+
+/// Tells the browser, and with it screen readers, which language the page is in now.
+pub(super) fn set_language(code: &str) {
+    let root = web_sys::window().and_then(|w| w.document()).and_then(|d| d.document_element());
+    if let Some(root) = root {
+        let _ = root.set_attribute("lang", code);
+    }
+}
+
+/// Copies a text; whether the browser allowed it.
+pub(super) async fn copy(text: &str) -> bool {
+    let Some(window) = web_sys::window() else { return false };
+    // Only secure pages have a clipboard.
+    let clipboard = js_sys::Reflect::get(&window.navigator(), &JsValue::from_str("clipboard"));
+    if clipboard.is_ok_and(|found| found.is_undefined()) {
+        return false;
+    }
+    JsFuture::from(window.navigator().clipboard().write_text(text)).await.is_ok()
+}
+
+/// What a thrown value says, for a person.
+pub(super) fn words(error: &JsValue) -> String {
+    let message = error.dyn_ref::<js_sys::Error>().map(|e| String::from(e.message()));
+    message.or_else(|| error.as_string()).unwrap_or_else(|| format!("{error:?}"))
 }
 
 /// What the person prefers.

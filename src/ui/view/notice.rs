@@ -1,5 +1,6 @@
 //! Messages: a notice beside what it is about, problems by line, and the engine that has stopped.
 
+use super::words::use_text;
 use crate::ui::Action;
 use crate::ui::engine::Health;
 use crate::worker::protocol::{Problem, Program};
@@ -29,6 +30,7 @@ pub(super) struct ProblemsProps {
 /// Problems of a file, by line and column.
 #[component]
 pub(super) fn Problems(props: &ProblemsProps) -> Html {
+    let text = use_text();
     let problems = &props.problems;
     if problems.is_empty() {
         return Html::default();
@@ -39,14 +41,14 @@ pub(super) fn Problems(props: &ProblemsProps) -> Html {
             { for problems.iter().take(LISTED).map(|problem| html! {
                 <li class={classes!(if problem.kept { "kept" } else { "lost" })} data-testid="problem">
                     <span class="where">
-                        { if problem.line > 0 { format!("line {}", problem.line) } else { "file".to_owned() } }
+                        { if problem.line > 0 { (text.line)(problem.line) } else { text.file.to_owned() } }
                         if let Some(column) = &problem.column { {", "}<code>{ column }</code> }
-                        { if problem.kept { " · row kept" } else { "" } }
+                        { if problem.kept { text.row_kept } else { "" } }
                     </span>
                     { &problem.message }
                 </li>
             }) }
-            if rest > 0 { <li>{ format!("and {rest} more") }</li> }
+            if rest > 0 { <li>{ (text.and_more)(rest) }</li> }
         </ul>
     }
 }
@@ -61,15 +63,17 @@ pub(super) struct EngineProps {
 /// The engine that has stopped: what happened, and a new one.
 #[component]
 pub(super) fn EngineNotice(props: &EngineProps) -> Html {
-    let Health::Stopped(why) = &props.health else { return Html::default() };
+    let text = use_text();
     let program = props.program;
+    let Health::Stopped(why) = &props.health else { return Html::default() };
     html! {
         <section class="notice bad engine" role="alert" data-testid="engine-stopped">
-            <h2>{"The engine has stopped"}</h2>
-            <p>{"What you loaded and taught is kept. Start it again and go on."}</p>
+            <h2>{ text.engine_stopped }</h2>
+            <p>{ text.engine_kept }</p>
             <pre tabindex="0" data-testid="engine-report">{ why }</pre>
             <button type="button" class="primary" data-testid="restart-engine"
-                onclick={props.act.reform(move |_| Action::RestartEngine(program))}>{"Start it again"}</button>
+                onclick={props.act.reform(move |_| Action::RestartEngine(program))}>
+                { text.engine_restart }</button>
         </section>
     }
 }

@@ -2,21 +2,20 @@
 
 use super::sketch;
 use crate::domain::State;
-use crate::render::{Options, Scene, Theme};
+use crate::render::{Options, Scene};
 use yew::{AttrValue, Html, Properties, component, html};
 
 #[derive(PartialEq, Properties)]
 pub(super) struct Props {
     pub(super) world: State,
-    pub(super) theme: Theme,
+    pub(super) options: Options,
     pub(super) label: AttrValue,
 }
 
 /// The picture of a world.
 #[component]
 pub(super) fn Picture(props: &Props) -> Html {
-    let options = Options { theme: props.theme, ..Options::default() };
-    let scene = Scene::of(&props.world, &options);
+    let scene = Scene::of(&props.world, &props.options);
     html! {
         <svg class="picture" role="img" aria-label={props.label.clone()} viewBox={sketch::view_box(&scene.extent)}>
             { sketch::quads(&scene) }

@@ -14,32 +14,32 @@ use yew::{
 
 /// What a [`Proof`] shows, and whom it tells. Words are a span: the first, and one past the last.
 #[derive(PartialEq, Properties)]
-pub struct Props {
+pub(super) struct Props {
     /// Tells this picture's elements from those of others in the page.
     #[prop_or(AttrValue::Static("proof"))]
-    pub id: AttrValue,
+    pub(super) id: AttrValue,
     /// What it is, in words.
-    pub label: AttrValue,
+    pub(super) label: AttrValue,
     /// The words of the command.
-    pub words: Rc<[String]>,
+    pub(super) words: Rc<[String]>,
     /// Parts before what was made of them, the whole last.
-    pub nodes: Rc<[Node]>,
+    pub(super) nodes: Rc<[Node]>,
     /// Whether meanings are written under categories.
     #[prop_or(true)]
-    pub meanings: bool,
+    pub(super) meanings: bool,
     /// The words to emphasise, here and in the meanings.
-    pub linked: Option<(usize, usize)>,
+    pub(super) linked: Option<(usize, usize)>,
     /// Told whose words are pointed at.
-    pub on_link: Callback<Option<(usize, usize)>>,
+    pub(super) on_link: Callback<Option<(usize, usize)>>,
     /// The node that more is shown of.
-    pub chosen: Option<usize>,
+    pub(super) chosen: Option<usize>,
     /// Told which node is pressed.
-    pub on_choose: Callback<usize>,
+    pub(super) on_choose: Callback<usize>,
 }
 
 /// The picture, in a box that scrolls sideways.
 #[component]
-pub fn Proof(props: &Props) -> Html {
+pub(super) fn Proof(props: &Props) -> Html {
     let Props { id, label, words, nodes, meanings, .. } = props;
     let drawn = (words.clone(), nodes.clone(), *meanings);
     let proof = use_memo(drawn, |(words, nodes, meanings)| match meanings {

@@ -1,53 +1,66 @@
-//! The room: which world is open, its picture, undo and reset.
+//! The room: what it is for, its picture, what is held in it; driven by a pointer or by keys.
 
 use super::canvas::Canvas;
 use super::cells::Cells;
-use crate::domain::State;
+use super::words::use_text;
+use crate::domain::{Direction, State};
 use crate::render::Options;
-use crate::ui::action::Preferences;
-use crate::ui::playback::STEP_MS;
-use crate::ui::world::WORLDS;
-use crate::ui::{Action, describe};
-use yew::{Callback, Html, Properties, component, html};
+use crate::ui::Action;
+use crate::ui::action::Key;
+use crate::ui::room::Mode;
+use yew::{Callback, Html, KeyboardEvent, Properties, component, html};
 
 #[derive(PartialEq, Properties)]
 pub(super) struct Props {
     pub(super) shown: State,
-    pub(super) choice: usize,
-    pub(super) can_undo: bool,
-    pub(super) preferences: Preferences,
+    pub(super) options: Options,
+    pub(super) mode: Mode,
+    pub(super) step_ms: u32,
+    pub(super) reduced_motion: bool,
     pub(super) act: Callback<Action>,
 }
 
-/// The room and what can be done to it.
+/// The room's picture, which takes the keyboard's focus.
 #[component]
 pub(super) fn Stage(props: &Props) -> Html {
-    let Props { shown, choice, can_undo, preferences, act } = props;
-    let options = Options { theme: preferences.theme, letters: true, ..Options::default() };
+    let text = use_text();
+    let Props { shown, options, mode, step_ms, reduced_motion, act } = props;
+    let press = {
+        let act = act.clone();
+        Callback::from(move |event: KeyboardEvent| {
+            if event.ctrl_key() || event.alt_key() || event.meta_key() {
+                return;
+            }
+            if let Some(key) = key(&event.key(), event.shift_key()) {
+                event.prevent_default();
+                act.emit(Action::Press(key));
+            }
+        })
+    };
     html! {
         <>
-            <div class="card-head">
-                <h2 id="room-title">{"The room"}</h2>
-                <div class="switch" role="group" aria-label="Choose a world">
-                    { for WORLDS.iter().enumerate().map(|(i, world)| html! {
-                        <button type="button" aria-pressed={(i == *choice).to_string()}
-                            data-testid={format!("world-{i}")}
-                            onclick={act.reform(move |_| Action::PickWorld(i))}>{ world.name }</button>
-                    }) }
-                </div>
+            <div class="room-keys" tabindex="0" role="application" aria-label={text.room_keys}
+                aria-describedby="room-help" data-testid="room" onkeydown={press}>
+                <Canvas shown={shown.clone()} options={options.clone()} step_ms={*step_ms}
+                    reduced_motion={*reduced_motion} label={text.world(shown)}
+                    interactive={*mode != Mode::Watch} on_point={act.reform(Action::Point)} />
             </div>
-            <Canvas shown={shown.clone()} options={options} step_ms={STEP_MS}
-                label={describe::world(shown)} reduced_motion={preferences.reduced_motion} />
-            <div class="caption">
-                <p data-testid="robot-place">{ describe::robot(shown) }</p>
-                <div class="buttons">
-                    <button type="button" class="quiet" data-testid="undo" disabled={!can_undo}
-                        onclick={act.reform(|_| Action::Undo)}>{"Undo"}</button>
-                    <button type="button" class="quiet" data-testid="reset-world"
-                        onclick={act.reform(|_| Action::ResetWorld)}>{"Reset world"}</button>
-                </div>
-            </div>
+            <p id="room-help" class="unseen">{ text.keys_help(*mode) }</p>
+            <p class="caption" data-testid="robot-place">{ text.robot(shown) }</p>
             <Cells shown={shown.clone()} />
         </>
     }
+}
+
+fn key(name: &str, shift: bool) -> Option<Key> {
+    Some(match name {
+        "ArrowUp" => Key::Arrow(Direction::North, shift),
+        "ArrowDown" => Key::Arrow(Direction::South, shift),
+        "ArrowLeft" => Key::Arrow(Direction::West, shift),
+        "ArrowRight" => Key::Arrow(Direction::East, shift),
+        "Enter" | " " => Key::Act,
+        "Escape" => Key::Cancel,
+        "r" | "R" => Key::Turn,
+        _ => return None,
+    })
 }

@@ -2,8 +2,11 @@
 
 use super::files::OpenFile;
 use super::notice::Notice;
+use super::words::use_text;
 use crate::ui::Action;
-use crate::ui::state::{Model, SETTINGS};
+use crate::ui::document::Model;
+use crate::ui::text::Text;
+use crate::ui::train::SETTINGS;
 use crate::worker::protocol::Progress;
 use yew::{Callback, Html, Properties, classes, component, html};
 
@@ -21,64 +24,49 @@ pub(super) struct Props {
 /// The training panel. Train and Cancel are one button, so that the keyboard's focus stays.
 #[component]
 pub(super) fn TrainPanel(props: &Props) -> Html {
+    let text = use_text();
     let Props { progress, model, notice, training, can_train, commands, act } = props;
-    let (word, id, action) = match (training, model) {
-        (true, _) => ("Cancel", "cancel", Action::CancelTraining),
-        (false, None) => ("Train", "train", Action::Train),
-        (false, Some(_)) => ("Train again", "train", Action::Train),
+    let (word, id, action) = match training {
+        true => (text.cancel, "cancel", Action::CancelTraining),
+        false => (text.begin_training, "train", Action::Train),
     };
-    let weight = if model.is_none() && !training { "primary" } else { "plain" };
+    let weight = if *training { "plain" } else { "primary" };
     html! {
         <section class="card train" aria-labelledby="train-title">
             <div class="card-head">
-                <h2 id="train-title">{"Teach it"}</h2>
+                <h2 id="train-title">{ text.training }</h2>
                 <button type="button" class={classes!(weight)} data-testid={id}
                     disabled={!training && !can_train} onclick={act.reform(move |_| action.clone())}>
                     { word }
                 </button>
             </div>
-            { match (progress, training, model) {
-                (Some(progress), ..) => bar(progress),
-                (None, true, _) => html! { <p class="dim">{"Beginning…"}</p> },
-                (None, false, Some(model)) => learned(model),
-                (None, false, None) => html! {
-                    <p>{ format!(
-                        "It knows no words for things or deeds yet. It can learn them from {commands} commands, \
-                         each shown with the room before and after, in {} passes.", SETTINGS.epochs) }</p>
-                },
+            { match (progress, *training) {
+                (Some(progress), _) => bar(text, progress),
+                (None, true) => html! { <p class="dim">{ text.beginning }</p> },
+                (None, false) => html! { <p>{ (text.train_help)(*commands, SETTINGS.epochs) }</p> },
             } }
+            if let Some(model) = model { <p data-testid="trained">{ (text.model_is)(model) }</p> }
             <Notice text={notice.clone()} id="model-notice" />
             <div class="files">
-                <OpenFile id="model-file" label="Open a model" accept=".model,.txt,.json" act={act.clone()} />
+                <OpenFile id="model-file" label={text.open_model} accept=".model,.txt,.json" act={act.clone()} />
                 if model.is_some() {
                     <button type="button" class="quiet" data-testid="save-model"
-                        onclick={act.reform(|_| Action::SaveModel)}>{"Save the model"}</button>
+                        onclick={act.reform(|_| Action::SaveModel)}>{ text.save_model }</button>
                 }
             </div>
         </section>
     }
 }
 
-fn bar(p: &Progress) -> Html {
+fn bar(text: &Text, p: &Progress) -> Html {
     let examples = p.examples.max(1);
     let epoch = usize::try_from(p.epoch.saturating_sub(1)).unwrap_or(0);
     let epochs = usize::try_from(p.epochs).unwrap_or(1);
     let (done, all) = (epoch * examples + p.example, epochs * examples);
     html! {
         <div class="bar" data-testid="progress">
-            <progress aria-label="Training" max={all.to_string()} value={done.to_string()} />
-            <p class="dim">{ format!(
-                "Pass {} of {}, command {} of {}. {} with a valid meaning, {} entries in the lexicon.",
-                p.epoch, p.epochs, p.example, p.examples, p.valid, p.entries) }</p>
+            <progress aria-label={text.training} max={all.to_string()} value={done.to_string()} />
+            <p class="dim">{ (text.training_at)(p) }</p>
         </div>
-    }
-}
-
-fn learned(model: &Model) -> Html {
-    let report = &model.report;
-    html! {
-        <p data-testid="trained">{ format!(
-            "Learned from {}: {} of {} commands have a valid meaning, {} entries in its lexicon.",
-            model.origin, report.valid, report.examples, report.entries) }</p>
     }
 }

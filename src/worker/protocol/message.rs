@@ -77,6 +77,14 @@ pub enum Request {
         /// The model file's text.
         text: String,
     },
+    /// Parses and grounds a command that is being typed, and plans nothing → [`Event::Answer`]. The policy that is
+    /// kept stays.
+    Read {
+        /// The command as typed.
+        command: String,
+        /// The state of the world it would be said in.
+        state: State,
+    },
     /// Parses, grounds and plans a command → [`Event::Planning`] now and then, then [`Event::Answer`]. The policy is
     /// kept.
     Ask {
@@ -156,6 +164,7 @@ impl Request {
             | Request::Teach { .. }
             | Request::Experiment { .. } => Some(Program::Learner),
             Request::OpenModel { .. }
+            | Request::Read { .. }
             | Request::Ask { .. }
             | Request::Plan { .. }
             | Request::Values { .. }

@@ -1,7 +1,7 @@
 //! What is said of commands, their goals, and what planning makes of these.
 
 use super::reading::{Reading, Word};
-use crate::domain::State;
+use crate::domain::{Direction, State};
 use crate::plan::Why;
 use serde::{Deserialize, Serialize};
 
@@ -105,7 +105,9 @@ pub struct CellValue {
     pub x: i32,
     /// The row, growing north.
     pub y: i32,
-    /// What it is worth to stand there, in [0, 1]; whichever way the robot faces, the best.
+    /// The way that it is best to face there.
+    pub facing: Direction,
+    /// What it is worth to stand there so, in [0, 1].
     pub value: f64,
     /// What to do there; nothing where the goal holds or cannot be reached.
     pub action: Option<String>,

@@ -1,7 +1,7 @@
 //! Messages between page and engine: each kind comes back from JSON as it went in, under its own name.
 
 use super::{corpus, settings, six};
-use groundling::domain::{Blueprint, Color, Shape, Size};
+use groundling::domain::{Blueprint, Color, Direction, Shape, Size};
 use groundling::learn::PlannerCost;
 use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
@@ -58,6 +58,7 @@ pub(super) fn requests() -> Vec<Request> {
             examples: vec![Lesson { command: "go".to_owned(), pairs: vec![pair] }],
         },
         Request::Explain { command: "go".to_owned() },
+        Request::Read { command: "go".to_owned(), state: state.clone() },
         Request::Draw { blueprint: Blueprint::default(), seed: 7 },
         Request::ReadWorld { text: "###\n".to_owned() },
         Request::WriteWorld { state: state.clone() },
@@ -77,7 +78,7 @@ pub(super) fn requests() -> Vec<Request> {
 
 #[test]
 fn requests_come_back_from_json() {
-    come_back(&requests(), 16, |request| match request {
+    come_back(&requests(), 17, |request| match request {
         Request::ReadCorpus { .. } => "read_corpus",
         Request::ShowRow { .. } => "show_row",
         Request::Train { .. } => "train",
@@ -87,6 +88,7 @@ fn requests_come_back_from_json() {
         Request::ReadWorld { .. } => "read_world",
         Request::WriteWorld { .. } => "write_world",
         Request::OpenModel { .. } => "open_model",
+        Request::Read { .. } => "read",
         Request::Ask { .. } => "ask",
         Request::Plan { .. } => "plan",
         Request::Values { .. } => "values",
@@ -164,7 +166,14 @@ fn events_come_back_from_json() {
         replans: 2,
         work: Some(work.clone()),
     };
-    let cell = CellValue { x: 1, y: -2, value: 0.5, action: Some("west".to_owned()), goal: false };
+    let cell = CellValue {
+        x: 1,
+        y: -2,
+        facing: Direction::West,
+        value: 0.5,
+        action: Some("west".to_owned()),
+        goal: false,
+    };
     let runs = Runs {
         runs: 9,
         successes: 8,

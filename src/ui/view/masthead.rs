@@ -1,0 +1,68 @@
+//! The head of the page: its name, the views, how deep to look, undo, share, language.
+
+use super::sign::{Sign, sign};
+use super::words::use_text;
+use crate::ui::Action;
+use crate::ui::action::{Depth, View};
+use crate::ui::text::Language;
+use web_sys::{Event, HtmlSelectElement};
+use yew::{Callback, Html, Properties, TargetCast, component, html};
+
+#[derive(PartialEq, Properties)]
+pub(super) struct Props {
+    pub(super) view: View,
+    pub(super) depth: Depth,
+    pub(super) language: Language,
+    pub(super) can_undo: bool,
+    pub(super) can_redo: bool,
+    pub(super) act: Callback<Action>,
+}
+
+/// The head of the page.
+#[component]
+pub(super) fn Masthead(props: &Props) -> Html {
+    let text = use_text();
+    let Props { view, depth, language, can_undo, can_redo, act } = props;
+    let link = |to: View, words: &'static str, href: &'static str, id: &'static str| {
+        let current = (to == *view).then_some("page");
+        html! { <a {href} aria-current={current} data-testid={id}>{ words }</a> }
+    };
+    let speak = act.reform(|event: Event| {
+        let chosen = event.target_dyn_into::<HtmlSelectElement>().map(|select| select.value());
+        Action::Speak(chosen.and_then(|code| Language::of(&code)).unwrap_or_default())
+    });
+    html! {
+        <header class="masthead">
+            <div class="name">
+                <h1>{"Groundling"}</h1>
+                <p>{ text.tagline }</p>
+            </div>
+            <nav aria-label={text.views}>
+                { link(View::Talk, text.talk, "#talk", "view-talk") }
+                { link(View::Train, text.train, "#train", "view-train") }
+            </nav>
+            <div class="tools">
+                if *view == View::Talk {
+                    <div class="switch" role="group" aria-label={text.depth}>
+                        { for Depth::ALL.into_iter().map(|to| html! {
+                            <button type="button" aria-pressed={(to == *depth).to_string()}
+                                title={text.depth_help(to)} data-testid={format!("depth-{to:?}").to_lowercase()}
+                                onclick={act.reform(move |_| Action::Deepen(to))}>{ text.depth_name(to) }</button>
+                        }) }
+                    </div>
+                    { sign("undo", text.undo, Sign::Undo, !can_undo, act.reform(|()| Action::Undo)) }
+                    { sign("redo", text.redo, Sign::Redo, !can_redo, act.reform(|()| Action::Redo)) }
+                    { sign("share", text.share, Sign::Share, false, act.reform(|()| Action::Share)) }
+                }
+                <label class="unseen" for="language">{ text.language }</label>
+                <select id="language" data-testid="language" onchange={speak}>
+                    { for Language::ALL.into_iter().map(|one| html! {
+                        <option value={one.code()} selected={one == *language} lang={one.code()}>
+                            { one.name() }
+                        </option>
+                    }) }
+                </select>
+            </div>
+        </header>
+    }
+}

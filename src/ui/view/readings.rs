@@ -1,0 +1,117 @@
+//! The readings of a command: what each says, what tells it from the best, where its goal would be; and what its
+//! phrases stand for.
+
+use super::picture::Picture;
+use super::words::use_text;
+use crate::domain::State;
+use crate::render::{Options, Theme};
+use crate::ui::Action;
+use crate::ui::link::{self, Link};
+use crate::ui::text::Text;
+use crate::worker::protocol::{Answer, Reading};
+use std::rc::Rc;
+use yew::{Callback, Html, Properties, classes, component, html};
+
+#[derive(PartialEq, Properties)]
+pub(super) struct Props {
+    pub(super) answer: Rc<Answer>,
+    /// The world that the command was said in.
+    pub(super) world: Rc<State>,
+    pub(super) chosen: usize,
+    pub(super) link: Option<Link>,
+    pub(super) theme: Theme,
+    pub(super) act: Callback<Action>,
+}
+
+/// The readings, best first.
+#[component]
+pub(super) fn Readings(props: &Props) -> Html {
+    let text = use_text();
+    let Props { answer, world, chosen, link, theme, act } = props;
+    let best = answer.readings.first().map_or(0.0, |reading| reading.score);
+    html! {
+        <section class="card" aria-labelledby="readings-title">
+            <div class="card-head">
+                <h2 id="readings-title">{ text.readings }</h2>
+                <span class="tag">{ answer.readings.len() }</span>
+            </div>
+            <ul class="readings" aria-label={text.readings}>
+                { for answer.readings.iter().enumerate().map(|(place, reading)| {
+                    let options = Options { theme: *theme, goal: reading.cells.clone(), ..Options::default() };
+                    html! {
+                        <li key={reading.form.clone()}>
+                            <button type="button" aria-pressed={(place == *chosen).to_string()}
+                                class="reading" data-testid="reading"
+                                onclick={act.reform(move |_| Action::Choose(place))}
+                                onmouseenter={act.reform(move |_| Action::Preview(Some(place)))}
+                                onmouseleave={act.reform(|_| Action::Preview(None))}
+                                onfocus={act.reform(move |_| Action::Preview(Some(place)))}
+                                onblur={act.reform(|_| Action::Preview(None))}>
+                                <Picture world={(**world).clone()} {options} label={text.where_it_holds} />
+                                <span class="reading-words">
+                                    <span data-testid="reading-plain">{ text.sentence(&reading.claim) }</span>
+                                    <span class="dim">{ difference(text, answer, reading, place, best) }</span>
+                                </span>
+                                <span class="score" data-testid="reading-score">
+                                    { format!("{:.2}", reading.score) }
+                                </span>
+                            </button>
+                        </li>
+                    }
+                }) }
+            </ul>
+            if let Some(reading) = answer.readings.get(*chosen) {
+                { phrases(text, reading, *link, act) }
+            }
+        </section>
+    }
+}
+
+/// What tells a reading from the best: how much less it scores, and by which words.
+fn difference(text: &Text, answer: &Answer, reading: &Reading, place: usize, best: f64) -> String {
+    if place == 0 {
+        return text.best_reading.to_owned();
+    }
+    let words = |reading: &Reading| {
+        let leaves = reading.nodes.iter().filter(|node| node.parts.is_empty());
+        leaves.map(|n| (n.words, n.category.clone(), n.meaning.clone())).collect::<Vec<_>>()
+    };
+    let first = answer.readings.first().map(words).unwrap_or_default();
+    let other = words(reading).into_iter().filter(|leaf| !first.contains(leaf));
+    let mut apart: Vec<&str> = other
+        .flat_map(|((start, end), ..)| answer.words.get(start..end).unwrap_or_default())
+        .map(|word| &*word.text)
+        .collect();
+    apart.dedup();
+    (text.less_likely)(best - reading.score, &apart)
+}
+
+/// What the phrases stand for.
+fn phrases(text: &Text, reading: &Reading, link: Option<Link>, act: &Callback<Action>) -> Html {
+    html! {
+        <>
+            <h3>{ text.phrases_title }</h3>
+            <ul class="phrases" data-testid="phrases">
+                { for reading.phrases.iter().filter_map(|phrase| {
+                    let own = link::span(phrase)?;
+                    let to = Action::Link(Some(own));
+                    let (over, focus) = (to.clone(), to);
+                    let names: Vec<String> = phrase.referents.iter().map(|r| text.referent(r)).collect();
+                    Some(html! {
+                        <li>
+                            <button type="button" data-testid="phrase"
+                                class={classes!("phrase", link::covers(link, own).then_some("linked"))}
+                                onmouseenter={act.reform(move |_| over.clone())}
+                                onmouseleave={act.reform(|_| Action::Link(None))}
+                                onfocus={act.reform(move |_| focus.clone())}
+                                onblur={act.reform(|_| Action::Link(None))}>
+                                <span>{ text.noun(&phrase.noun) }</span>
+                                <span class="dim">{"→ "}{ text.list(&names) }</span>
+                            </button>
+                        </li>
+                    })
+                }) }
+            </ul>
+        </>
+    }
+}

@@ -1,0 +1,65 @@
+//! The room's card: which world is open and what the room is for, the picture, and what goes with that.
+
+use super::controls::Controls;
+use super::edit::{Tools, Worlds};
+use super::sign::{Sign, sign};
+use super::stage::Stage;
+use super::teach::Lesson;
+use crate::ui::document::Draft;
+use crate::ui::room::Mode;
+use crate::ui::world::WORLDS;
+use crate::ui::{Action, State, overlay};
+use web_sys::{Event, HtmlSelectElement};
+use yew::{Callback, Html, TargetCast, html};
+
+/// The room's card.
+pub(super) fn room(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let mode = state.room.mode;
+    let pick = act.reform(|event: Event| {
+        let place = event.target_dyn_into::<HtmlSelectElement>().map(|s| s.selected_index());
+        Action::PickWorld(place.and_then(|place| usize::try_from(place).ok()).unwrap_or(usize::MAX))
+    });
+    let preset = state.document.preset;
+    html! {
+        <section id="room" class="card room" aria-labelledby="room-title" tabindex="-1">
+            <div class="card-head">
+                <h2 id="room-title">{ text.the_room }</h2>
+                <div class="tools">
+                    <label class="unseen" for="world">{ text.choose_world }</label>
+                    <select id="world" data-testid="world" onchange={pick}>
+                        { for WORLDS.iter().enumerate().map(|(place, world)| html! {
+                            <option selected={preset == Some(place)}>{ text.world_name(world.name) }</option>
+                        }) }
+                        if preset.is_none() { <option selected=true disabled=true>{ text.own_world }</option> }
+                    </select>
+                    { sign("dice", text.another_world, Sign::Dice, false, act.reform(|()| Action::DrawWorld)) }
+                    { sign("reset-world", text.reset, Sign::First, state.document.world == *state.document.origin
+                        && state.watch.playback.is_none(), act.reform(|()| Action::ResetWorld)) }
+                </div>
+            </div>
+            <div class="switch" role="group" aria-label={text.room_is_for}>
+                { for Mode::ALL.into_iter().map(|to| html! {
+                    <button type="button" aria-pressed={(to == mode).to_string()}
+                        data-testid={format!("mode-{to:?}").to_lowercase()}
+                        onclick={act.reform(move |_| Action::SetMode(to))}>{ text.mode_name(to) }</button>
+                }) }
+            </div>
+            if mode == Mode::Edit { <Tools room={state.room.clone()} act={act.clone()} /> }
+            <Stage shown={state.shown().clone()} options={overlay::options(state)} {mode}
+                step_ms={state.watch.speed.step_ms()} reduced_motion={state.preferences.reduced_motion}
+                act={act.clone()} />
+            { match mode {
+                Mode::Watch => html! {
+                    <Controls playback={state.watch.playback.clone()} speed={state.watch.speed} act={act.clone()} />
+                },
+                Mode::Edit => html! { <Worlds room={state.room.clone()} act={act.clone()} /> },
+                Mode::Teach => html! {
+                    <Lesson teach={state.teach.clone()} busy={state.is_teaching()}
+                        shows={state.document.draft.as_ref().is_some_and(Draft::shows)}
+                        can_teach={state.document.base.is_some()} act={act.clone()} />
+                },
+            } }
+        </section>
+    }
+}

@@ -1,0 +1,46 @@
+//! The link that was made, and what was wrong with the one that the page was opened by.
+
+use super::sign::{Sign, sign};
+use super::words::use_text;
+use crate::ui::Action;
+use crate::ui::share::Sharing;
+use yew::{Callback, Html, Properties, component, html};
+
+#[derive(PartialEq, Properties)]
+pub(super) struct Props {
+    pub(super) sharing: Sharing,
+    pub(super) act: Callback<Action>,
+}
+
+/// What there is to say about sharing.
+#[component]
+pub(super) fn SharePanel(props: &Props) -> Html {
+    let text = use_text();
+    let Props { sharing: Sharing { made, notice }, act } = props;
+    if made.is_none() && notice.is_none() {
+        return Html::default();
+    }
+    html! {
+        <section class="card shared" aria-label={text.share} data-testid="shared">
+            <div class="card-head">
+                { match (made, notice) {
+                    (Some(Ok(link)), _) => html! {
+                        <p><strong>{ if link.copied { text.link_copied } else { text.link_made } }</strong>{" "}{ text.link_help }</p>
+                    },
+                    (Some(Err(why)), _) => html! { <p role="alert">{ why }</p> },
+                    (None, Some(notice)) => html! { <p role="alert" data-testid="link-notice">{ notice }</p> },
+                    (None, None) => Html::default(),
+                } }
+                { sign("close-share", text.close, Sign::Close, false, act.reform(|()| Action::CloseShare)) }
+            </div>
+            if let Some(Ok(link)) = made {
+                <input type="text" class="address" readonly=true aria-label={text.link} value={link.address.clone()}
+                    data-testid="link" />
+            }
+            <p class="buttons">
+                <button type="button" class="quiet" data-testid="save-session"
+                    onclick={act.reform(|_| Action::SaveSession)}>{ text.save_as_file }</button>
+            </p>
+        </section>
+    }
+}

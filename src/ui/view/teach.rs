@@ -1,0 +1,120 @@
+//! Teaching: what is shown and said, what it added, and the list of what was taught.
+
+use super::notice::Notice;
+use super::words::use_text;
+use crate::ui::Action;
+use crate::ui::document::Taught;
+use crate::ui::teach::Teach;
+use std::rc::Rc;
+use web_sys::{HtmlInputElement, SubmitEvent};
+use yew::{Callback, Html, InputEvent, Properties, TargetCast, component, html};
+
+#[derive(PartialEq, Properties)]
+pub(super) struct Props {
+    pub(super) teach: Teach,
+    /// Whether something is shown.
+    pub(super) shows: bool,
+    pub(super) busy: bool,
+    pub(super) can_teach: bool,
+    pub(super) act: Callback<Action>,
+}
+
+/// The lesson in preparation.
+#[component]
+pub(super) fn Lesson(props: &Props) -> Html {
+    let text = use_text();
+    let Props { teach, shows, busy, can_teach, act } = props;
+    let send = act.reform(|event: SubmitEvent| {
+        event.prevent_default();
+        Action::Teach
+    });
+    let typed = act.reform(|event: InputEvent| {
+        let input = event.target_dyn_into::<HtmlInputElement>();
+        Action::TypedLesson(input.map(|i| i.value()).unwrap_or_default())
+    });
+    html! {
+        <div class="lesson">
+            <ol class="steps">
+                <li class={shows.then_some("done")}>
+                    { text.show_it }
+                    {" "}<button type="button" class="link" disabled={!shows} data-testid="clear-draft"
+                        onclick={act.reform(|_| Action::ClearDraft)}>{ text.show_again }</button>
+                </li>
+                <li>
+                    <label for="lesson">{ text.say_it }</label>
+                    <form class="say" onsubmit={send}>
+                        <input id="lesson" type="text" lang="en" autocomplete="off" autocapitalize="off"
+                            spellcheck="false" data-testid="lesson" value={teach.words.clone()} oninput={typed} />
+                        <button type="submit" class="primary" data-testid="teach" disabled={!can_teach || *busy}>
+                            { if *busy { text.learning } else { text.teach } }
+                        </button>
+                    </form>
+                </li>
+            </ol>
+            if let Some(missing) = teach.missing {
+                <p class="notice" role="alert" data-testid="missing">{ text.missing(missing) }</p>
+            }
+            <Notice text={teach.notice.clone()} id="teach-notice" />
+        </div>
+    }
+}
+
+#[derive(PartialEq, Properties)]
+pub(super) struct LessonsProps {
+    pub(super) lessons: Rc<Vec<Taught>>,
+    pub(super) teach: Teach,
+    pub(super) act: Callback<Action>,
+}
+
+/// What was taught, and what the last lesson added to the lexicon.
+#[component]
+pub(super) fn Lessons(props: &LessonsProps) -> Html {
+    let text = use_text();
+    let LessonsProps { lessons, teach, act } = props;
+    if lessons.is_empty() {
+        return Html::default();
+    }
+    let added = teach.report.as_ref().map_or(&[][..], |report| &report.added);
+    html! {
+        <section class="card" aria-labelledby="lessons-title" data-testid="lessons">
+            <div class="card-head">
+                <h2 id="lessons-title">{ text.lessons }</h2>
+                <button type="button" class="quiet" data-testid="save-lessons"
+                    onclick={act.reform(|_| Action::SaveLessons)}>{ text.save_lessons }</button>
+            </div>
+            <ul class="lessons">
+                { for lessons.iter().enumerate().map(|(place, taught)| {
+                    let command = taught.lesson.command.clone();
+                    html! {
+                        <li>
+                            <button type="button" class="link" lang="en" data-testid="lesson-try"
+                                onclick={act.reform(move |_| Action::AskExample(command.clone()))}>
+                                { &taught.lesson.command }
+                            </button>
+                            if !taught.understood { <span class="dim">{ text.not_understood }</span> }
+                            <button type="button" class="link" data-testid="unteach"
+                                aria-label={(text.forget_lesson)(&taught.lesson.command)}
+                                onclick={act.reform(move |_| Action::Unteach(place))}>{ text.forget }</button>
+                        </li>
+                    }
+                }) }
+            </ul>
+            if let Some(command) = &teach.taught {
+                <p class="dim" data-testid="learned">{ (text.it_learned)(command, added.len()) }</p>
+                if !added.is_empty() {
+                    <div class="scroll" tabindex="0" role="group" aria-label={text.entries}>
+                        <table class="entries">
+                            <thead><tr><th>{ text.words }</th><th>{ text.category }</th><th>{ text.meaning }</th></tr></thead>
+                            <tbody>
+                                { for added.iter().map(|entry| html! {
+                                    <tr data-testid="added"><td lang="en">{ &entry.words }</td>
+                                        <td><code>{ &entry.syntax }</code></td><td><code>{ &entry.meaning }</code></td></tr>
+                                }) }
+                            </tbody>
+                        </table>
+                    </div>
+                }
+            }
+        </section>
+    }
+}

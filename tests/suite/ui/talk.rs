@@ -1,0 +1,207 @@
+//! Talking: reading while typing, answering, playing, other readings, rules.
+
+use super::{Page, failed, no_plan, plan, reading, understood, world};
+use groundling::domain::Lock;
+use groundling::ui::action::{Action, Depth, Effect, Timer};
+use groundling::ui::playback::Surprise;
+use groundling::ui::watch::{Layer, RUNS, Speed};
+use groundling::worker::protocol::{Event, PlanText, Request, Runs, ValueMap, WorldRules};
+
+#[test]
+fn what_is_typed_is_read_at_once_and_only_the_latest_counts() {
+    let mut page = Page::ready();
+    page.act(Action::Typed("go".to_owned()));
+    assert!(matches!(page.asked(), Request::Read { command, .. } if command == "go"));
+    page.act(Action::Typed("go to".to_owned()));
+    page.act(Action::Typed("go to it".to_owned()));
+    assert_eq!(page.posted.len(), 1, "the engine is still at the first");
+    page.answer(Event::Answer(Box::new(understood("go", None))));
+    assert!(page.state.talk.live.is_none(), "an answer to what is no longer there is no answer");
+    assert!(matches!(page.asked(), Request::Read { command, .. } if command == "go to it"));
+    page.answer(Event::Answer(Box::new(understood("go to it", None))));
+    assert_eq!(page.state.heard().map(|answer| &*answer.command), Some("go to it"));
+    assert!(page.state.document.said.is_none() && !page.state.history.can_undo());
+    page.act(Action::Typed(String::new()));
+    assert!(page.state.heard().is_none());
+}
+
+#[test]
+fn a_command_becomes_a_plan_that_plays_to_its_end() {
+    let start = world();
+    let mut page = Page::told(3);
+    assert_eq!(page.state.shown(), &start);
+    let mut rung = 0;
+    while page.play_on() {
+        rung += 1;
+    }
+    assert_eq!(rung, 3);
+    assert_eq!(page.state.shown().agent.x, start.agent.x + 3);
+    assert!(page.state.announcement.starts_with("Done in 3 steps."));
+
+    // The next command is said where the robot stands now; undo goes back a command at a time.
+    page.act(Action::Ask);
+    let Request::Ask { state, .. } = page.asked() else { panic!() };
+    assert_eq!(state.agent.x, start.agent.x + 3);
+    page.answer(Event::Answer(Box::new(failed("go", "no_parse"))));
+    assert!(page.state.document.reading().is_none());
+    page.act(Action::Undo);
+    assert!(page.state.document.reading().is_some());
+    page.act(Action::Undo);
+    assert_eq!(page.state.shown(), &start);
+    assert!(!page.state.history.can_undo());
+    page.act(Action::Redo);
+    assert_eq!(page.state.shown().agent.x, start.agent.x + 3);
+    assert_eq!(page.state.talk.input, "go");
+}
+
+#[test]
+fn a_plan_can_be_paused_stepped_scrubbed_and_hurried() {
+    let start = world();
+    let mut page = Page::told(4);
+    page.act(Action::TogglePlay);
+    page.play_on();
+    assert_eq!(page.state.shown(), &start, "a timer from before the pause moves nothing");
+    page.act(Action::Seek(3));
+    assert_eq!(page.state.shown().agent.x, start.agent.x + 3);
+    assert!(page.state.announcement.starts_with("Step 3 of 4: east"));
+    page.act(Action::Seek(99));
+    page.act(Action::TogglePlay);
+    assert_eq!(page.state.shown(), &start, "played again from the start");
+    page.timers.clear();
+    page.act(Action::SetSpeed(Speed::Fourfold));
+    assert!(matches!(page.timers.as_slice(), [Timer::Play(_)]), "the next step comes sooner");
+    page.act(Action::ResetWorld);
+    assert!(page.state.watch.playback.is_none());
+    assert_eq!(page.state.shown(), &start);
+}
+
+#[test]
+fn another_reading_is_planned_for_from_where_the_command_was_said() {
+    let start = world();
+    let mut page = Page::ready();
+    page.act(Action::AskExample("go".to_owned()));
+    let mut answer = understood("go", Some(plan(&start, 2)));
+    answer.readings.push(reading("(g:t)"));
+    page.answer(Event::Answer(Box::new(answer)));
+    while page.play_on() {}
+    page.act(Action::Choose(7));
+    assert!(page.posted.is_empty(), "there is no such reading");
+    page.act(Action::Choose(1));
+    let Request::Plan { form, state, .. } = page.asked() else { panic!() };
+    assert_eq!((form.as_str(), state), ("(g:t)", &start));
+    page.answer(Event::Planned(Box::new(plan(&start, 1))));
+    while page.play_on() {}
+    assert_eq!(page.state.shown().agent.x, start.agent.x + 1);
+    page.act(Action::Undo);
+    assert_eq!(page.state.document.said.as_ref().map(|said| said.chosen), Some(0));
+    assert_eq!(page.state.shown().agent.x, start.agent.x + 2);
+}
+
+#[test]
+fn other_rules_plan_anew_and_are_undone_like_all_else() {
+    let start = world();
+    let mut page = Page::told(2);
+    let rules = WorldRules { pull: true, slip: 0.1, ..WorldRules::default() };
+    page.act(Action::SetRules(rules));
+    assert!(matches!(page.asked(), Request::Plan { state, rules: asked, .. }
+        if *state == start && *asked == rules));
+    page.answer(Event::Planned(Box::new(no_plan("unreachable"))));
+    assert_eq!(
+        page.state.document.plan().and_then(|p| p.reason.clone()).as_deref(),
+        Some("unreachable")
+    );
+    page.act(Action::Undo);
+    assert_eq!(page.state.document.rules, WorldRules::default());
+}
+
+#[test]
+fn values_are_asked_for_when_they_are_to_be_seen_and_once_for_each_arrangement() {
+    let mut page = Page::told(3);
+    assert!(page.posted.is_empty(), "nobody looks");
+    page.act(Action::Deepen(Depth::See));
+    assert!(matches!(page.asked(), Request::Values { .. }));
+    page.answer(Event::Values(ValueMap { cells: Vec::new() }));
+    while page.play_on() {}
+    assert!(page.posted.is_empty(), "only the robot moved: the values are the same");
+    for layer in [Layer::Values, Layer::Arrows] {
+        page.act(Action::ToggleLayer(layer));
+    }
+    page.act(Action::AskExample("go".to_owned()));
+    let again = plan(page.state.shown(), 1);
+    page.answer(Event::Answer(Box::new(understood("go", Some(again)))));
+    assert!(page.posted.is_empty(), "nobody looks any more");
+}
+
+#[test]
+fn a_policy_is_tried_many_times() {
+    let mut page = Page::told(1);
+    page.act(Action::TryMany);
+    assert_eq!(page.asked(), &Request::RollOut { runs: RUNS, seed: 0 });
+    let runs = Runs {
+        runs: 10,
+        successes: 9,
+        interval: [0.6, 0.98],
+        mean_steps: Some(4.0),
+        mean_return: [0.8, 0.1],
+        replans: 2,
+    };
+    let (program, id, _) = page.posted.last().cloned().expect("it is at work");
+    page.hear(program, id, Event::RollingOut(Runs { runs: 5, ..runs }));
+    assert_eq!(page.state.watch.runs.map(|runs| runs.runs), Some(5));
+    page.answer(Event::RolledOut(runs));
+    assert!(page.state.announcement.starts_with("9 of 10 runs got there: 90 % [60, 98]"));
+}
+
+#[test]
+fn a_planner_can_be_stopped() {
+    let mut page = Page::ready();
+    page.act(Action::AskExample("go".to_owned()));
+    assert!(page.state.is_asking());
+    page.act(Action::StopPlanning);
+    let (program, id, request) = page.posted.pop().expect("it was told");
+    assert_eq!(request, Request::Cancel);
+    page.hear(program, id, Event::Cancelled);
+    assert!(!page.state.is_asking() && page.state.talk.notice.is_some());
+}
+
+#[test]
+fn what_nobody_expected_is_told() {
+    let mut start = world();
+    start.doors[0].lock = Lock::Unknown;
+    let mut locked = start.clone();
+    locked.doors[0].lock = Lock::Locked;
+    let walk = |states: Vec<_>| PlanText {
+        actions: vec!["east".to_owned(); states.len() - 1],
+        states,
+        ..plan(&start, 0)
+    };
+    let moved = plan(&start, 1).states[1].clone();
+    let turned = {
+        let mut turned = moved.clone();
+        turned.agent.direction = turned.agent.direction.left();
+        turned
+    };
+    for (states, wanted) in [
+        (vec![start.clone(), locked], Some(Surprise::DoorLocked)),
+        (vec![start.clone(), start.clone()], Some(Surprise::Slipped)),
+        (vec![moved.clone(), turned], Some(Surprise::LeftBehind)),
+        (vec![start.clone(), moved], None),
+    ] {
+        let mut playback = groundling::ui::playback::Playback::begin(&walk(states)).unwrap();
+        assert_eq!(playback.surprise(), None, "nothing has happened yet");
+        playback.seek(1);
+        assert_eq!(playback.surprise(), wanted);
+    }
+}
+
+#[test]
+fn studies_are_asked_for_by_those_who_study() {
+    let mut page = Page::told(1);
+    page.act(Action::Deepen(Depth::Study));
+    let explain = |page: &Page| {
+        page.posted.iter().any(|(.., request)| matches!(request, Request::Explain { .. }))
+            || page.state.talker.is_at(|request| matches!(request, Request::Explain { .. }))
+    };
+    assert!(explain(&page));
+    assert!(!page.others.iter().any(|effect| matches!(effect, Effect::FetchModel)));
+}

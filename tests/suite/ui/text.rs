@@ -1,0 +1,115 @@
+//! The page's words: goals in plain words, in every language.
+
+use super::world;
+use groundling::domain::{Color, Lock, Shape};
+use groundling::ui::text::Language;
+use groundling::worker::protocol::{Article, Claim, Description, Noun};
+
+fn described(article: Article, properties: &[&str], claims: Vec<Claim>) -> Noun {
+    let properties = properties.iter().map(|p| (*p).to_owned()).collect();
+    Noun::Described(Box::new(Description { article, properties, claims }))
+}
+
+fn related(relation: &str, first: Noun, second: Noun) -> Claim {
+    Claim::Related { relation: relation.to_owned(), nouns: Box::new([first, second]) }
+}
+
+#[test]
+fn goals_are_said_in_plain_words() {
+    let room = |article, color: &'static str| described(article, &[color, "room"], Vec::new());
+    let the = |properties: &[&str]| described(Article::The, properties, Vec::new());
+    let biggest = described(Article::Biggest, &["room"], Vec::new());
+    let with_block =
+        described(Article::The, &["room"], vec![related("in", the(&["block"]), Noun::It)]);
+    let cases = [
+        (
+            related("in", Noun::Robot, room(Article::The, "blue")),
+            "The robot is in the blue room.",
+            "Der Roboter ist im blauen Raum.",
+        ),
+        (
+            related("in", the(&["yellow", "block"]), biggest),
+            "The yellow block is in the biggest room.",
+            "Der gelbe Block ist im größten Raum.",
+        ),
+        (
+            related("near", Noun::Robot, the(&["magenta", "box"])),
+            "The robot is next to the magenta box.",
+            "Der Roboter ist neben der magentafarbenen Kiste.",
+        ),
+        (
+            related("in", Noun::Robot, with_block),
+            "The robot is in the room that has the block in it.",
+            "Der Roboter ist im Raum, in dem der Block ist.",
+        ),
+        (
+            Claim::Not(Box::new(related("left", Noun::Robot, the(&["chair"])))),
+            "The robot is not left of the chair.",
+            "Der Roboter ist nicht links von dem Stuhl.",
+        ),
+        (
+            Claim::Exists(Box::new(Description {
+                article: Article::A,
+                properties: vec!["orange".to_owned(), "bag".to_owned()],
+                claims: vec![related("in", Noun::It, room(Article::The, "red"))],
+            })),
+            "There is an orange bag that is in the red room.",
+            "Irgendwo ist ein orangefarbener Beutel, der im roten Raum ist.",
+        ),
+    ];
+    for (claim, english, german) in cases {
+        assert_eq!(Language::English.text().sentence(&claim), english);
+        assert_eq!(Language::German.text().sentence(&claim), german);
+    }
+}
+
+#[test]
+fn every_cell_of_a_room_has_a_name() {
+    let mut state = world();
+    state.doors[0].lock = Lock::Locked;
+    let bounds = state.extent().unwrap();
+    for language in Language::ALL {
+        let text = language.text();
+        for cell in bounds.cells() {
+            assert!(text.cell(&state, cell).len() > 10);
+        }
+        let robot = text.cell(&state, (state.agent.x, state.agent.y));
+        assert!(robot.contains(if language == Language::English { "robot" } else { "Roboter" }));
+        assert!(text.world(&state).len() > 60);
+    }
+    let block = &state.objects[0];
+    let said = Language::English.text().cell(&state, (block.x, block.y));
+    assert!(said.ends_with("in the red room: yellow block"), "{said}");
+}
+
+#[test]
+fn changes_are_announced() {
+    let before = world();
+    let mut after = before.clone();
+    after.doors[0].lock = Lock::Locked;
+    (after.objects[0].x, after.objects[0].y) = (1, 1);
+    let text = Language::English.text();
+    let said = text.change(&before, &after);
+    assert!(said.contains("The yellow block is now in the blue room."), "{said}");
+    assert!(said.contains("is locked."), "{said}");
+    assert_eq!(text.change(&before, &before), "");
+    let mut fewer = before.clone();
+    fewer.objects.clear();
+    assert!(!text.change(&before, &fewer).is_empty());
+}
+
+#[test]
+fn every_language_names_all_there_is() {
+    for language in Language::ALL {
+        let text = language.text();
+        let mut names: Vec<&str> = Color::ALL.iter().map(|c| text.color_name(*c)).collect();
+        names.extend(Shape::ALL.iter().map(|s| text.shape_name(*s)));
+        let n = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(names.len(), n, "{language:?}: no two have one name");
+        assert_eq!(Language::of(language.code()), Some(language));
+    }
+    assert_eq!(Language::of("de-CH"), Some(Language::German));
+    assert_eq!(Language::of("xx"), None);
+}
