@@ -6,6 +6,7 @@ use super::read::{reading, shown, words};
 use crate::ccg::{ChartConfig, Model, Parse, parse};
 use crate::domain::State;
 use crate::ground::Goal;
+use std::rc::Rc;
 
 /// A command being answered.
 pub(super) struct Asking {
@@ -26,7 +27,7 @@ pub(super) enum Asked {
     /// It is still parsing or planning; how far the planner is.
     Working(Option<PlanProgress>),
     /// The answer, and the policy behind its plan.
-    Answered(Box<Answer>, Option<Planned>),
+    Answered(Box<Answer>, Option<Rc<Planned>>),
     /// This world cannot be planned in.
     Failed(PlanError),
 }

@@ -5,9 +5,10 @@ use super::protocol::{PlanProgress, PlanText, WorldRules};
 use crate::domain::{Action, Chances, Form, Movable, NotAProbability, Packed, Rules, State};
 use crate::ground::{Goal, Task, TaskError};
 use crate::mdp::{Mdp, Outcome, Policy, Settings, Solver, StartingAt, sample};
-use crate::plan::Auto;
+use crate::plan::{Auto, ValueIteration};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
+use std::cell::OnceCell;
 use std::rc::Rc;
 
 /// Steps of the solver in a step of the job.
@@ -79,6 +80,8 @@ struct Again {
 pub(super) struct Planned {
     pub(super) task: Rc<Task>,
     pub(super) solver: Auto<Problem>,
+    /// The values of all states, once somebody asked for them and they were not too many.
+    pub(super) all: OnceCell<Option<ValueIteration<Problem>>>,
 }
 
 impl Planning {
@@ -127,8 +130,8 @@ impl Planning {
     }
 
     /// What was found, to be asked further.
-    pub(super) fn into_planned(self) -> Planned {
-        Planned { task: self.task, solver: self.first }
+    pub(super) fn into_planned(self) -> Rc<Planned> {
+        Rc::new(Planned { task: self.task, solver: self.first, all: OnceCell::new() })
     }
 
     /// Follows the policy a little further; whether the run is over.

@@ -105,7 +105,7 @@ fn ask(mut asking: Asking) -> Job<Talker> {
         match asking.step(model) {
             Asked::Working(progress) => Step::Working(progress.map(Event::Planning)),
             Asked::Answered(answer, planned) => {
-                talker.planned = planned.map(Rc::new);
+                talker.planned = planned;
                 Step::Over(Event::Answer(answer))
             }
             Asked::Failed(error) => Step::Over(Event::Refused { message: error.to_string() }),
@@ -140,7 +140,7 @@ fn plan(form: &str, state: &State, rules: &WorldRules) -> Result<Job<Talker>, St
 impl Talker {
     /// Keeps the policy that was found, and says what it does; a goal that needed no search has none.
     fn keep(&mut self, plan: Box<PlanText>, found: Option<Box<Planning>>) -> Step {
-        self.planned = found.map(|planning| Rc::new(planning.into_planned()));
+        self.planned = found.map(|planning| planning.into_planned());
         Step::Over(Event::Planned(plan))
     }
 }

@@ -19,12 +19,13 @@ const STATES: usize = 100_000;
 /// Actions of runs in a step of the job.
 const ACTIONS: usize = 500;
 
-/// A value map at work. A search for a shortest plan knows little but the plan, so all states are worked out, where
+/// A value map at work. A search for a shortest plan knows little but the plan, so all states are worked out once, where
 /// they are few enough; else the policy says what it knows.
 pub(super) struct Valuing {
     planned: Rc<Planned>,
     around: Packed,
-    all: ValueIteration<Problem>,
+    /// All states on their way, unless they were worked out before.
+    all: Option<ValueIteration<Problem>>,
 }
 
 impl Valuing {
@@ -33,20 +34,30 @@ impl Valuing {
         let dynamics = planned.task.dynamics();
         let around =
             dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)?;
-        let settings = Settings::default().with_budget(u64::MAX, STATES);
-        let task = planned.task.clone();
-        let start = task.initial();
-        let all = ValueIteration::new(StartingAt::new(task, start), settings);
+        let all = planned.all.get().is_none().then(|| {
+            let settings = Settings::default().with_budget(u64::MAX, STATES);
+            let start = planned.task.initial();
+            ValueIteration::new(StartingAt::new(planned.task.clone(), start), settings)
+        });
         Some(Valuing { planned, around, all })
     }
 
     /// Does a bounded part; the map when it is there.
     pub(super) fn step(&mut self) -> Option<ValueMap> {
-        let ended = self.all.step(STEPS).is_some();
-        if self.all.is_partial() {
-            return Some(self.map(&self.planned.solver));
+        if let Some(mut all) = self.all.take() {
+            let ended = all.step(STEPS).is_some();
+            if !ended && !all.is_partial() {
+                self.all = Some(all);
+                return None;
+            }
+            // Nothing is kept of states that were too many.
+            let kept = self.planned.all.set((!all.is_partial()).then_some(all));
+            debug_assert!(kept.is_ok(), "the engine does one thing at a time");
         }
-        ended.then(|| self.map(&self.all))
+        Some(match self.planned.all.get() {
+            Some(Some(all)) => self.map(all),
+            _ => self.map(&self.planned.solver),
+        })
     }
 
     fn map(&self, policy: &impl Policy<Packed, Action>) -> ValueMap {
