@@ -2,13 +2,14 @@
 //! hand holds.
 
 use super::action::Depth;
+use super::edit::{self, Place};
 use super::link;
 use super::room::{Held, Mode, Room, Tool};
 use super::state::State;
 use super::watch::Layer;
-use super::{edit, edit::Place};
 use crate::domain::Bounds;
 use crate::render::{Arrow, Ghost, Options, spread};
+use crate::worker::protocol::{CellValue, Refers};
 
 /// How the room is to be shown.
 pub fn options(state: &State) -> Options {
@@ -32,9 +33,14 @@ fn is_shown(state: &State, layer: Layer) -> bool {
     state.depth >= Depth::See && state.watch.shows(layer)
 }
 
+/// What is known of the cells, unless the goal holds whatever the robot does: there is nothing to compare then.
+fn known(state: &State) -> &[CellValue] {
+    let cells = state.watch.values.as_ref().map_or(&[][..], |values| &values.map.cells);
+    if cells.iter().all(|cell| cell.goal) { &[] } else { cells }
+}
+
 fn values(state: &State) -> Vec<(i32, i32, f64)> {
-    let cells = state.watch.values.as_ref().map(|values| &values.map.cells);
-    cells.into_iter().flatten().map(|cell| (cell.x, cell.y, cell.value)).collect()
+    known(state).iter().map(|cell| (cell.x, cell.y, cell.value)).collect()
 }
 
 fn watched(state: &State, mut options: Options) -> Options {
@@ -43,8 +49,7 @@ fn watched(state: &State, mut options: Options) -> Options {
     let failed = reading.phrases.iter().filter(|phrase| !phrase.referents.is_empty());
     if options.highlight.is_empty() && state.talk.link.is_none() {
         // What is in question is shown without being asked for.
-        let in_question =
-            failed.filter(|phrase| phrase.refers != crate::worker::protocol::Refers::One);
+        let in_question = failed.filter(|phrase| phrase.refers != Refers::One);
         let cells = in_question.flat_map(|phrase| &phrase.referents).flat_map(|r| &r.cells);
         options.highlight = cells.copied().collect();
     }
@@ -63,12 +68,11 @@ fn watched(state: &State, mut options: Options) -> Options {
         options.values = spread(&values(state)).cells;
     }
     if is_shown(state, Layer::Arrows) {
-        let cells = state.watch.values.as_ref().map(|values| &values.map.cells);
-        let arrow = |cell: &crate::worker::protocol::CellValue| {
+        let arrow = |cell: &CellValue| {
             let arrow = Arrow::of_action(cell.action.as_deref()?, cell.facing)?;
             Some((cell.x, cell.y, arrow))
         };
-        options.arrows = cells.into_iter().flatten().filter_map(arrow).collect();
+        options.arrows = known(state).iter().filter_map(arrow).collect();
     }
     options
 }

@@ -145,6 +145,7 @@ pub(super) static ENGLISH: Text = Text {
 
     readings: "Readings",
     best_reading: "the most likely",
+    all_readings: "Show all of them",
     less_likely: |gap, words| match words {
         [] => format!("scores {gap:.2} less"),
         _ => format!("scores {gap:.2} less; differs in {}", quoted(words)),

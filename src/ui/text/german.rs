@@ -147,6 +147,7 @@ pub(super) static GERMAN: Text = Text {
 
     readings: "Lesarten",
     best_reading: "die wahrscheinlichste",
+    all_readings: "Alle zeigen",
     less_likely: |gap, words| match words {
         [] => format!("{} Punkte weniger", comma(gap, 2)),
         _ => format!("{} Punkte weniger; anders bei {}", comma(gap, 2), quoted(words)),

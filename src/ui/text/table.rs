@@ -82,6 +82,7 @@ pub struct Text {
     // Readings.
     pub readings: &'static str,
     pub best_reading: &'static str,
+    pub all_readings: &'static str,
     pub less_likely: fn(f64, &[&str]) -> String,
     pub where_it_holds: &'static str,
     pub phrases_title: &'static str,

@@ -10,7 +10,10 @@ use crate::ui::link::{self, Link};
 use crate::ui::text::Text;
 use crate::worker::protocol::{Answer, Reading};
 use std::rc::Rc;
-use yew::{Callback, Html, Properties, classes, component, html};
+use yew::{Callback, Html, Properties, classes, component, html, use_state_eq};
+
+/// So many readings are shown at first, and all that are equally likely.
+const FIRST: usize = 4;
 
 #[derive(PartialEq, Properties)]
 pub(super) struct Props {
@@ -28,6 +31,8 @@ pub(super) struct Props {
 pub(super) fn Readings(props: &Props) -> Html {
     let text = use_text();
     let Props { answer, world, chosen, link, theme, act } = props;
+    let all = use_state_eq(|| false);
+    let shown = if *all { answer.readings.len() } else { FIRST.max(chosen + 1).max(tied(answer)) };
     let best = answer.readings.first().map_or(0.0, |reading| reading.score);
     html! {
         <section class="card" aria-labelledby="readings-title">
@@ -36,7 +41,7 @@ pub(super) fn Readings(props: &Props) -> Html {
                 <span class="tag">{ answer.readings.len() }</span>
             </div>
             <ul class="readings" aria-label={text.readings}>
-                { for answer.readings.iter().enumerate().map(|(place, reading)| {
+                { for answer.readings.iter().enumerate().take(shown).map(|(place, reading)| {
                     let options = Options { theme: *theme, goal: reading.cells.clone(), ..Options::default() };
                     html! {
                         <li key={reading.form.clone()}>
@@ -60,11 +65,23 @@ pub(super) fn Readings(props: &Props) -> Html {
                     }
                 }) }
             </ul>
+            if shown < answer.readings.len() {
+                <p class="buttons">
+                    <button type="button" class="quiet" data-testid="more-readings"
+                        onclick={Callback::from(move |_| all.set(true))}>{ text.all_readings }</button>
+                </p>
+            }
             if let Some(reading) = answer.readings.get(*chosen) {
                 { phrases(text, reading, *link, act) }
             }
         </section>
     }
+}
+
+/// How many readings are equally likely.
+fn tied(answer: &Answer) -> usize {
+    let best = answer.readings.first().map_or(0.0, |reading| reading.score);
+    answer.readings.iter().filter(|reading| reading.score == best).count()
 }
 
 /// What tells a reading from the best: how much less it scores, and by which words.

@@ -121,7 +121,7 @@ fn score(text: &Text, study: Option<&Study>) -> Html {
     html! {
         <>
             <h3>{ text.score }{" "}<span data-testid="study-score">{ format!("{:.2}", explanation.score) }</span></h3>
-            <div class="scroll" tabindex="0" role="group" aria-label={text.score}>
+            <div class="scroll score-table" tabindex="0" role="group" aria-label={text.score}>
                 <table class="features" data-testid="features">
                     <thead><tr><th>{ text.feature }</th><th>{ text.times }</th><th>{ text.weight }</th><th>{ text.adds }</th></tr></thead>
                     <tbody>
