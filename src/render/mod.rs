@@ -1,5 +1,5 @@
 //! Pictures of a world: a pure scene (state → quads in cells), its motion between two states, the same world
-//! as a grid of named cells for those who do not see the picture, and one file that knows the GPU.
+//! as a grid of cells for those who do not see the picture, and one file that knows the GPU.
 //!
 //! The page builds a [`Scene`] and hands it through `link` to the renderer, a wasm module of its own that is
 //! loaded when the first picture is wanted; nothing but `gpu` and the program `renderer` links the GPU.
@@ -20,7 +20,7 @@ pub mod gpu;
 pub mod link;
 
 pub use floor::{Extent, Floor, Ground};
-pub use grid::{Cell, Grid, announce};
+pub use grid::{Cell, Grid};
 pub use motion::{Motion, Pose};
 pub use options::{Arrow, Ghost, Options, Spread, Thing, spread};
 pub use palette::{Rgba, Theme};
