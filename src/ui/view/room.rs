@@ -34,7 +34,7 @@ pub(super) fn room(state: &State, act: &Callback<Action>) -> Html {
                         if preset.is_none() { <option selected=true disabled=true>{ text.own_world }</option> }
                     </select>
                     { sign("dice", text.another_world, Sign::Dice, false, act.reform(|()| Action::DrawWorld)) }
-                    { sign("reset-world", text.reset, Sign::First, state.document.world == *state.document.origin
+                    { sign("reset-world", text.reset, Sign::Reset, state.document.world == *state.document.origin
                         && state.watch.playback.is_none(), act.reform(|()| Action::ResetWorld)) }
                 </div>
             </div>

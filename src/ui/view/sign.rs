@@ -7,6 +7,7 @@ use yew::{Callback, Html, html};
 pub(super) enum Sign {
     Undo,
     Redo,
+    Reset,
     Share,
     First,
     Back,
@@ -27,6 +28,7 @@ impl Sign {
             Sign::Redo => {
                 "m15 4 5.5 5.5L15 15v-4H9.5a3.5 3.5 0 0 0 0 7H13v2H9.500a5.500 5.500 0 0 1 0-11H15z"
             }
+            Sign::Reset => "M12 5V1L7 6l5 5V7a5 5 0 1 1-5 5H5a7 7 0 1 0 7-7z",
             Sign::Share => {
                 "M17 15.200a3 3 0 0 0-2.200 1L9 12.900a3 3 0 0 0 0-1.800l5.800-3.300A3 3 0 1 0 14 6v.100L8.200 9.500a3 3 0 1 0 0 5l5.800 3.400A3 3 0 1 0 17 15.200z"
             }

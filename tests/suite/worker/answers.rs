@@ -181,3 +181,22 @@ fn a_damaged_model_is_refused_by_line_and_leaves_the_old_one_in_place() {
     assert!(report.model == text && report.examples == 6);
     assert_eq!(answer(&mut other, "go to the blue room", &world()), before);
 }
+
+#[test]
+fn what_is_typed_is_read_without_a_plan_and_leaves_the_policy_alone() {
+    let (mut engine, _) = taught(15);
+    let state = world();
+    let said = answer(&mut engine, "go to the blue room", &state);
+    let read = |engine: &mut Engine<Talker>, command: &str| {
+        let request = Request::Read { command: command.to_owned(), state: state.clone() };
+        match only(pump(engine, 6, request)) {
+            Event::Answer(answer) => *answer,
+            other => panic!("{other:?}"),
+        }
+    };
+    let typed = read(&mut engine, "go to the blue room");
+    assert_eq!(typed, Answer { plan: None, ..said });
+    assert_eq!(read(&mut engine, "go to the").plan, None);
+    let values = pump(&mut engine, 7, Request::Values { state: state.clone() });
+    assert!(matches!(only(values), Event::Values(map) if !map.cells.is_empty()));
+}
