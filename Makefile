@@ -7,7 +7,7 @@ SHELL := bash
 .SILENT:
 .DEFAULT_GOAL := help
 .PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora update-goldens plots \
-	rust-parts wasm-target chromium packages command-line
+	rust-parts wasm-target chromium packages command-line model
 
 # Where our own tools live; another folder can be given to share them between work trees.
 TOOLS ?= target/tools
@@ -48,8 +48,10 @@ serve: build ## install what is missing, build the site and serve it on this mac
 test: rust-parts wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages chromium ## install what is missing and run every check
 	exec bash tests/checks.sh
 
-test-long: rust-parts ## the native tests again, in release and with many more random cases
+test-long: rust-parts ## the native tests again, in release and with many more random cases; and the model, learned anew
 	PROPTEST_CASES=10000 cargo test --release --no-fail-fast --lib --bins --test suite
+	$(MAKE) --no-print-directory model MODEL=target/model/again.model
+	cmp assets/model/cleanup.model target/model/again.model
 
 fmt: rust-parts ## format the code
 	cargo fmt
@@ -74,6 +76,15 @@ $(SITE)/index.html: $(SOURCES) | wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS
 
 shots: build chromium ## take the pictures of the README anew, from the real page
 	node tests/e2e/run.mjs --folder shots
+
+# Where the model goes.
+MODEL ?= assets/model/cleanup.model
+
+model: rust-parts ## learn the model that the page opens with anew, from the crowd's commands: always the same bytes
+	command -v xz >/dev/null || { echo "xz is missing, which unpacks the corpus: apt-get install xz-utils" >&2; exit 1; }
+	mkdir -p target/model
+	xz --decompress --stdout assets/corpus/crowd.csv.xz >target/model/crowd.csv
+	cargo run --release --bin groundling -- train --corpus target/model/crowd.csv --out "$(MODEL)"
 
 check-corpora: build chromium ## train the page on a corpus kept elsewhere: DIR=folder
 	test -n "$(DIR)" || { echo "say where the corpora are: make check-corpora DIR=folder" >&2; exit 2; }

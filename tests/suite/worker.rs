@@ -10,6 +10,8 @@ mod messages;
 mod plans;
 #[path = "worker/readings.rs"]
 mod readings;
+#[path = "worker/shipped.rs"]
+mod shipped;
 #[path = "worker/worlds.rs"]
 mod worlds;
 
