@@ -178,7 +178,7 @@ pub fn root_features(terms: &Terms, sorts: &Sorts, form: TermId) -> Vec<Feature>
     let mut found = Occurring { terms, sorts, predicates: Vec::new(), features: Vec::new() };
     found.collect(form);
     let Occurring { mut predicates, mut features, .. } = found;
-    predicates.sort_by(|&a, &b| terms.name(a).cmp(terms.name(b)));
+    terms.sort_by_name(&mut predicates);
     predicates.dedup();
     for (place, &first) in predicates.iter().enumerate() {
         features.extend(predicates[place + 1..].iter().map(|&second| Feature::Pair(first, second)));
@@ -218,7 +218,7 @@ impl Occurring<'_> {
     /// The pairs of predicates in a conjunction, each on what the conjunction is about.
     fn collect_conjoined(&mut self, body: TermId) {
         let mut predicates = self.conjuncts(body);
-        predicates.sort_by(|&a, &b| self.terms.name(a).cmp(self.terms.name(b)));
+        self.terms.sort_by_name(&mut predicates);
         if let [only] = predicates[..] {
             self.features.push(Feature::Alone(only));
         }

@@ -105,7 +105,11 @@ impl Parse {
 
 /// Parses a command: without skipping words, then, if there is no full parse, with, unknown words first.
 pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
-    let words = words(command);
+    parse_words(model, words(command), config)
+}
+
+/// Parses a command that was taken apart.
+pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -> Parse {
     let reason = match words.len() {
         0 => Some(Reason::Empty),
         n if n > MAX_WORDS => Some(Reason::TooLong),
@@ -252,7 +256,7 @@ fn commuted(terms: &mut Terms, commutative: &[crate::logic::ConstantId], term: T
             if let Node::Constant(constant) = terms.node(head)
                 && commutative.contains(&constant)
             {
-                args.sort_by(|&a, &b| terms.compare(a, b));
+                terms.sort(&mut args);
             }
             terms.apply_head(head, &args)
         }

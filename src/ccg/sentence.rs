@@ -8,7 +8,13 @@ pub const MAX_WORDS: usize = 50;
 
 /// The words of a command, at most `MAX_WORDS` + 1 of them (one more than can be parsed tells that it is too long).
 pub fn words(command: &str) -> Vec<String> {
-    let text: String = nfc(command).into_iter().flat_map(char::to_lowercase).collect();
+    composed_words(&nfc(command).into_iter().collect::<String>())
+}
+
+/// The words of a command that is in NFC already, as text of the page is: the browser has the tables for that, and a
+/// program that needs none of its own is a tenth smaller.
+pub fn composed_words(command: &str) -> Vec<String> {
+    let text: String = command.chars().flat_map(char::to_lowercase).collect();
     let mut words = Vec::new();
     let is_outer = |c: char| !c.is_alphanumeric();
     for token in text.split(is_separator) {

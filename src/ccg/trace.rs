@@ -66,8 +66,9 @@ impl Trace {
     pub fn words_of(&self, part: TermId, plain: &mut Terms) -> Vec<usize> {
         let Some(whole) = self.nodes.last() else { return Vec::new() };
         let Ok(marks) = Marks::off(&self.terms, whole.meaning, plain) else { return Vec::new() };
-        let origins = marks.origins(whole.meaning, part).into_iter();
-        origins.filter_map(|at| self.leaves.get(at as usize)).flat_map(|&(a, b)| a..b).collect()
+        let origins = marks.origins(whole.meaning, part);
+        let leaves = (0..).zip(&self.leaves).filter(|(leaf, _)| origins.contains(leaf));
+        leaves.flat_map(|(_, &(start, end))| start..end).collect()
     }
 }
 

@@ -198,7 +198,9 @@ impl Blueprint {
             walls.swap(i, index(i + 1, rng));
         }
         if self.style == Style::Hall {
-            walls.sort_by_key(|w| w.0 != 0);
+            let (corridor, others) = walls.into_iter().partition::<Vec<_>, _>(|wall| wall.0 == 0);
+            walls = corridor;
+            walls.extend(others);
         }
         // The part that each room belongs to. One edge less leaves two.
         let mut part: Vec<usize> = (0..rooms.len()).collect();

@@ -463,6 +463,6 @@ fn called(name: &str, otherwise: &str) -> String {
     match (name == otherwise, is_plain) {
         (true, _) => String::new(),
         (false, true) => format!(" as {name}"),
-        (false, false) => format!(" as {}", serde_json::Value::from(name)),
+        (false, false) => format!(" as {}", serde_json::to_string(name).unwrap_or_default()),
     }
 }

@@ -76,19 +76,19 @@ impl<'a> Marks<'a> {
     pub fn pieces(&self, term: TermId) -> Vec<(String, Option<u32>)> {
         // In the order of the plain terms, and what is said twice once.
         let mut arrange = |args: &mut Vec<TermId>| {
-            let plain = |arg: &TermId| self.plain(*arg).unwrap_or(*arg);
-            args.sort_by(|a, b| self.plain.compare(plain(a), plain(b)));
-            args.dedup_by_key(|arg| plain(arg));
+            let mut plain: Vec<TermId> = args.iter().filter_map(|&arg| self.plain(arg)).collect();
+            self.plain.sort(&mut plain);
+            plain.dedup();
+            let marked = |&plain: &TermId| args.iter().find(|&&arg| self.plain(arg) == Some(plain));
+            *args = plain.iter().filter_map(marked).copied().collect();
         };
         split(&Expression::arranged(self.marked, term, &mut arrange).to_string())
     }
 
-    /// The origins of all parts of a term that are this plain term.
+    /// The origins of all parts of a term that are this plain term, each once.
     pub fn origins(&self, term: TermId, plain: TermId) -> Vec<u32> {
         let mut found = Vec::new();
         self.collect(term, plain, false, &mut found);
-        found.sort_unstable();
-        found.dedup();
         found
     }
 
@@ -97,7 +97,8 @@ impl<'a> Marks<'a> {
         match self.marked.node(term) {
             Node::Constant(constant) if inside => {
                 let mark = self.marked.name(constant).chars().next().filter(|&c| is_mark(c));
-                found.extend(mark.map(|c| u32::from(c) - FIRST));
+                let origin = mark.map(|c| u32::from(c) - FIRST);
+                found.extend(origin.filter(|origin| !found.contains(origin)));
             }
             Node::Constant(_) | Node::Variable(_) => {}
             Node::Lambda { body, .. } => self.collect(body, plain, inside, found),

@@ -237,7 +237,7 @@ impl Terms {
             _ if args.len() < 2 => return Err(LogicError::TooFewArguments),
             _ => {
                 let mut args = args;
-                args.sort_by(|&a, &b| self.compare(a, b));
+                self.sort(&mut args);
                 return self.raw_apply(head, &args, to);
             }
         };
@@ -250,7 +250,7 @@ impl Terms {
                 _ => flat.push(arg),
             }
         }
-        flat.sort_by(|&a, &b| self.compare(a, b));
+        self.sort(&mut flat);
         flat.dedup();
         match flat[..] {
             [] => Ok(unit),

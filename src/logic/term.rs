@@ -257,6 +257,16 @@ impl Terms {
         }
     }
 
+    /// Puts constants in the order of their names.
+    pub fn sort_by_name(&self, constants: &mut [ConstantId]) {
+        constants.sort_by(|&a, &b| self.name(a).cmp(self.name(b)));
+    }
+
+    /// Puts terms in the order of conjuncts.
+    pub fn sort(&self, terms: &mut [TermId]) {
+        terms.sort_by(|&a, &b| self.compare(a, b));
+    }
+
     fn compare_each(&self, xs: &[TermId], ys: &[TermId]) -> Ordering {
         xs.iter()
             .zip(ys)

@@ -4,6 +4,7 @@
 
 use super::job::{Engine, Role};
 use super::protocol::{Envelope, Event, Request, VERSION};
+use js_sys::JsString;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Once;
@@ -62,7 +63,9 @@ impl<R: Role + 'static> Agent<R> {
     }
 
     fn hear(&self, data: &JsValue) {
-        let text = data.as_string().unwrap_or_default();
+        // In NFC, as the core takes it: the signs of JSON compose with nothing.
+        let text = data.dyn_ref::<JsString>().map(|text| text.normalize("NFC"));
+        let text = text.map(String::from).unwrap_or_default();
         let envelope = match serde_json::from_str::<Envelope<Request>>(&text) {
             Ok(envelope) if envelope.groundling == VERSION => envelope,
             Ok(_) => return self.refuse("Page and engine are of different versions."),

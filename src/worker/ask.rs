@@ -2,8 +2,8 @@
 
 use super::plan::{Begun, PlanError, Planned, Planning, no_plan};
 use super::protocol::{Answer, PlanProgress, WorldRules};
-use super::read::{reading, shown, words};
-use crate::ccg::{ChartConfig, Model, Parse, parse};
+use super::read::{parsed, reading, shown, words};
+use crate::ccg::{Model, Parse};
 use crate::domain::State;
 use crate::ground::Goal;
 use std::rc::Rc;
@@ -58,7 +58,7 @@ impl Asking {
 
     /// Parses, and begins to plan for the best reading.
     fn read(&mut self, model: &mut Model) -> Asked {
-        let parse = parse(model, &self.command, ChartConfig::of(model));
+        let parse = parsed(model, &self.command);
         let mut answer = Box::new(answer(model, &parse, &self.command, &self.state));
         let Some(best) = parse.answer() else { return Asked::Answered(answer, None) };
         let Ok(goal) = Goal::new(&model.grammar.terms, best.form, &self.state) else {

@@ -3,7 +3,8 @@
 
 use super::protocol::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Word};
 use crate::ccg::{
-    self, ChartConfig, Derivation, Explanation, Model, Parse, Trace, Traced, alike, heard, parse,
+    self, ChartConfig, Derivation, Explanation, Model, Parse, Trace, Traced, alike, composed_words,
+    heard, parse_words,
 };
 use crate::domain::{Bounds, State};
 use crate::ground::{self, Class, Entity, Failure, Goal, Thing, claim, noun, phrases};
@@ -14,6 +15,12 @@ const MAX_READINGS: usize = 10;
 
 /// Known words that are offered for an unknown one.
 const MAX_NEAR: usize = 3;
+
+/// Parses what was typed; whatever comes from the page is in NFC (`agent`).
+pub(super) fn parsed(model: &mut Model, command: &str) -> Parse {
+    let config = ChartConfig::of(model);
+    parse_words(model, composed_words(command), config)
+}
 
 /// The readings that an answer shows.
 pub(super) fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
@@ -136,7 +143,7 @@ fn referent(thing: Thing<'_>) -> Referent {
 
 /// The readings that an answer shows, for those who study them.
 pub(super) fn studies(model: &mut Model, command: &str) -> Vec<Study> {
-    let parse = parse(model, command, ChartConfig::of(model));
+    let parse = parsed(model, command);
     let study = |reading| Study {
         explanation: Explanation::of(model, &parse, reading),
         reductions: reductions(model, &parse.derivation(reading)),

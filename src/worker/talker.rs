@@ -5,10 +5,10 @@ use super::ask::{Asked, Asking, answer};
 use super::job::{Job, Role, Step, misdirected, say};
 use super::plan::{Begun, Planned, Planning};
 use super::protocol::{Event, MOST_RUNS, PlanText, Program, Request, TrainReport, WorldRules};
-use super::read::studies;
+use super::read::{parsed, studies};
 use super::watch::{Rolling, Valuing};
 use super::world;
-use crate::ccg::{ChartConfig, Model, parse};
+use crate::ccg::Model;
 use crate::domain::State;
 use crate::ground::Goal;
 use crate::logic::{Terms, read};
@@ -34,7 +34,7 @@ impl Role for Talker {
             Request::Read { command, state } => {
                 let model = self.model.as_mut().ok_or(NO_MODEL)?;
                 state.check().map_err(|error| error.to_string())?;
-                let parse = parse(model, &command, ChartConfig::of(model));
+                let parse = parsed(model, &command);
                 say(Event::Answer(Box::new(answer(model, &parse, &command, &state))))
             }
             Request::Ask { command, state, rules } => {

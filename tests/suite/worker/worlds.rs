@@ -55,10 +55,7 @@ fn a_text_that_is_no_world_is_refused_with_its_place() {
     for (source, said) in [
         (String::new(), "line 1, column 1: the map has no robot: put one of ^ v < > somewhere"),
         ("####\n#^?#\n####\n".to_owned(), "line 2, column 3: `?` stands in no line of the legend"),
-        (
-            "{\"agent\": {\"x\": 1}}".to_owned(),
-            "agent: missing field `y`: add it (line 1, column 18)",
-        ),
+        ("{\"agent\": {\"x\": 1}}".to_owned(), "missing field `y` at line 1 column 18"),
         (illegal.write(), "share the cell"),
     ] {
         let message = refused(&mut engine, Request::ReadWorld { text: source });
