@@ -204,7 +204,6 @@ fn planning(
     let why = &state.text().why;
     let rules = &state.document.rules;
     let locked = state.shown().doors.iter().any(|door| door.lock != Lock::Unlocked);
-    let is_sure = (rules.slip, rules.lock, rules.loss) == (0.0, 0.0, 0.0);
     let freeing = [
         (rules.landmarks_stay, Help::FreeLandmarks),
         (!rules.pull, Help::Pull),
@@ -220,7 +219,7 @@ fn planning(
         Some("unreachable") => message("unreachable", why.unreachable, None, freeing()),
         Some("budget") if plan.reached => return None,
         Some("budget") => {
-            let helps = if is_sure { freeing() } else { vec![Help::NoChance] };
+            let helps = if rules.is_sure() { freeing() } else { vec![Help::NoChance] };
             message("plan_budget", why.plan_budget, None, helps)
         }
         Some(_) => message("bad_goal", why.bad_goal, None, vec![Help::Teach]),

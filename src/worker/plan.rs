@@ -23,8 +23,6 @@ const BUDGET: (u64, usize) = (20_000_000, 2_000_000);
 const MOST_ACTIONS: usize = 2_000;
 /// A robot that has thought again so often is lost.
 const MOST_REPLANS: u32 = 20;
-/// The seed of what happens in the run that is shown.
-const SEED: u64 = 0;
 
 /// A task, shared by its solvers.
 pub(super) type Problem = StartingAt<Rc<Task>>;
@@ -103,7 +101,7 @@ impl Planning {
             states: vec![state.clone()],
             again: None,
             replans: 0,
-            rng: Pcg64Mcg::seed_from_u64(SEED),
+            rng: Pcg64Mcg::seed_from_u64(u64::from(rules.luck)),
             buffer: Vec::new(),
         };
         let first = solver(&task, task.initial());

@@ -239,6 +239,7 @@ pub(super) static ENGLISH: Text = Text {
     slips: "An action does nothing",
     locks: "An untried door is locked",
     loses: "A thing stays behind",
+    other_luck: "Try again with other luck",
     percent: |p| format!("{:.0} %", p * 100.0),
 
     tools: "Tools",

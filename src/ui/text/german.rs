@@ -270,6 +270,7 @@ pub(super) static GERMAN: Text = Text {
     slips: "Eine Aktion bewirkt nichts",
     locks: "Eine Tür, die niemand probiert hat, ist zu",
     loses: "Ein Ding bleibt liegen",
+    other_luck: "Noch einmal mit anderem Glück",
     percent: |p| format!("{:.0} %", p * 100.0),
 
     tools: "Werkzeuge",

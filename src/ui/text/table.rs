@@ -146,6 +146,7 @@ pub struct Text {
     pub slips: &'static str,
     pub locks: &'static str,
     pub loses: &'static str,
+    pub other_luck: &'static str,
     pub percent: fn(f64) -> String,
 
     // Editing.

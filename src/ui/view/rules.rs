@@ -55,6 +55,11 @@ pub(super) fn Rules(props: &Props) -> Html {
             { chance("rule-slip", text.slips, rules.slip, |r, slip| WorldRules { slip, ..r }) }
             { chance("rule-lock", text.locks, rules.lock, |r, lock| WorldRules { lock, ..r }) }
             { chance("rule-loss", text.loses, rules.loss, |r, loss| WorldRules { loss, ..r }) }
+            <p class="buttons">
+                <button type="button" class="quiet" data-testid="other-luck" disabled={rules.is_sure()}
+                    onclick={act.reform(move |_| Action::SetRules(WorldRules { luck: rules.luck.wrapping_add(1), ..rules }))}>
+                    { text.other_luck }</button>
+            </p>
         </section>
     }
 }

@@ -23,6 +23,9 @@ pub struct WorldRules {
     pub lock: f64,
     /// That an object is left behind.
     pub loss: f64,
+    /// The seed of what happens in the run that is shown.
+    #[serde(default)]
+    pub luck: u32,
 }
 
 impl Default for WorldRules {
@@ -35,7 +38,15 @@ impl Default for WorldRules {
             slip: 0.0,
             lock: 0.0,
             loss: 0.0,
+            luck: 0,
         }
+    }
+}
+
+impl WorldRules {
+    /// Whether nothing is left to chance.
+    pub fn is_sure(&self) -> bool {
+        [self.slip, self.lock, self.loss] == [0.0; 3]
     }
 }
 

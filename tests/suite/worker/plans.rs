@@ -25,8 +25,15 @@ fn world() -> State {
     .unwrap()
 }
 
-const SURE: WorldRules =
-    WorldRules { pull: false, robot: false, landmarks_stay: true, slip: 0.0, lock: 0.0, loss: 0.0 };
+const SURE: WorldRules = WorldRules {
+    pull: false,
+    robot: false,
+    landmarks_stay: true,
+    slip: 0.0,
+    lock: 0.0,
+    loss: 0.0,
+    luck: 0,
+};
 const LOCKING: WorldRules = WorldRules { lock: 0.3, slip: 0.1, ..SURE };
 
 fn request(form: &str, rules: WorldRules) -> Request {
@@ -84,6 +91,8 @@ fn where_doors_may_lock_the_policy_is_worth_what_its_runs_earn() {
     assert_eq!(plan.states.len(), plan.actions.len() + 1);
     assert_eq!(plan.states[0], world());
     assert_eq!(plan, planned(&mut engine, IN_BLUE, LOCKING), "the same things happen again");
+    let other = |luck| planned(&mut engine, IN_BLUE, WorldRules { luck, ..LOCKING }).states;
+    assert!((1..9).map(other).any(|states| states != plan.states), "other luck");
     let work = plan.work.unwrap();
     assert_ne!(work.solver, "astar");
     let [lower, upper] = work.bounds;
