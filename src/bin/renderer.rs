@@ -32,7 +32,7 @@ mod exports {
             Ok(self.0.draw(scene, width, height)?)
         }
 
-        /// Resolves with a reason when the GPU takes the canvas away.
+        /// Resolves with a reason when the GPU takes the canvas away, with null when this is freed before.
         pub fn lost(&self) -> Promise {
             self.0.lost()
         }

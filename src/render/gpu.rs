@@ -144,8 +144,7 @@ impl Gpu {
         let listening = canvas.add_event_listener_with_callback("webglcontextlost", listener);
         listening.map_err(|_| GpuError::Missing("the canvas takes no listener".to_owned()))?;
         let lost = future_to_promise(async move {
-            let reason = receiver.await.map_err(|_| JsValue::NULL)?;
-            Ok(JsValue::from_str(&reason))
+            Ok(receiver.await.map_or(JsValue::NULL, |reason| JsValue::from_str(&reason)))
         });
         Ok(Self {
             backend,
@@ -169,7 +168,8 @@ impl Gpu {
         self.backend
     }
 
-    /// Resolves with a reason when the GPU takes the canvas away; rejects when the picture is dropped before.
+    /// Resolves with a reason when the GPU takes the canvas away, with null when the picture is dropped before: nobody
+    /// may be listening, and a rejection that nobody hears counts as an error in the page.
     pub fn lost(&self) -> Promise {
         self.lost.clone()
     }

@@ -111,8 +111,9 @@ impl View {
     pub fn on_lost(&self, callback: impl FnOnce(String) + 'static) {
         let lost = self.picture.lost();
         spawn_local(async move {
-            if let Ok(reason) = JsFuture::from(lost).await {
-                callback(words(&reason));
+            let reason = JsFuture::from(lost).await.ok().and_then(|reason| reason.as_string());
+            if let Some(reason) = reason {
+                callback(reason);
             }
         });
     }

@@ -143,9 +143,11 @@ fn request(
     state.talker.send(request, true, effects);
 }
 
-/// What was typed has been read.
+/// What was typed has been read; it may have been sent meanwhile.
 pub(super) fn was_read(state: &mut State, answer: Answer) {
-    if answer.command == state.talk.input {
+    let said = state.document.said.as_ref();
+    let is_said = said.is_some_and(|said| said.answer.command == answer.command);
+    if answer.command == state.talk.input && !is_said {
         state.talk.live = Some(Rc::new(answer));
         state.talk.link = None;
     }

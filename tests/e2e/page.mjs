@@ -18,10 +18,16 @@ export const csv = (...lines) => [rows[0], ...lines, ''].join('\n');
 export const BLUE_ROOM = '(in:<e,<e,t>> (the:<<e,t>,e> (lambda $0:e (agent:<e,t> $0))) '
   + '(the:<<e,t>,e> (lambda $0:e (and:<t*,t> (blue:<e,t> $0) (room:<e,t> $0)))))';
 
-/** Opens the built site and waits until its engine has read the six sentences. */
-export async function openPage(t) {
-  const page = await t.open();
-  const demo = new Demo(t, page);
+/** Opens the built site (or a link to it) and waits until it can be talked to. */
+export async function openPage(t, address = t.address) {
+  const demo = new Demo(t, await t.open(address));
+  await demo.ready();
+  return demo;
+}
+
+/** Opens the workbench and waits until its engine has read the six sentences. */
+export async function openTrain(t) {
+  const demo = new Demo(t, await t.open(`${t.address}#train`));
   await demo.by('row').first().waitFor();
   return demo;
 }
@@ -38,41 +44,37 @@ export class Demo {
     return this.page.getByTestId(id);
   }
 
-  /** Presses Train and waits for the model. */
-  async train() {
-    await this.by('train').click();
-    await this.by('trained').waitFor({ timeout: 60_000 });
+  /** Presses what has this test id. */
+  press(id) {
+    return this.by(id).click();
   }
 
-  /** The text of the model that the page saves. */
-  async model() {
-    return this.saved('save-model');
+  /** Waits until a command can be sent. */
+  async ready() {
+    await this.t.until('the page is ready', async () =>
+      (await this.by('ask').count()) > 0 && this.by('ask').isEnabled());
   }
 
-  /** The text of the file that a button saves. */
-  async saved(id) {
-    const [download] = await Promise.all([this.page.waitForEvent('download'), this.by(id).click()]);
-    return readFile(await download.path(), 'utf8');
-  }
+  // Talking.
 
   /** Types a command and sends it; returns when it has been answered or refused. */
   async ask(command) {
     await this.by('command').fill(command);
-    await this.by('ask').click();
-    await this.t.until(`an answer to “${command.slice(0, 40)}”`, async () =>
-      (await this.by('ask').textContent()).trim() === 'Tell'
-        && (await this.by('answer').count()) + (await this.by('ask-notice').count()) > 0);
+    await this.press('ask');
+    await this.answered(command);
   }
 
-  /** The reading that stands first: its form and its human form. */
-  async reading() {
-    const first = this.by('reading').first();
-    return {
-      form: await first.getByTestId('reading-form').textContent(),
-      human: await first.getByTestId('reading-human').textContent(),
-      derivation: await first.getByTestId('reading-derivation').textContent(),
-      score: Number((await first.getByTestId('reading-score').textContent()).replace(/[^-\d.]/g, '')),
-    };
+  /** Waits until the command was answered or refused. */
+  async answered(command) {
+    const words = command.slice(0, 40);
+    await this.t.until(`an answer to “${words}”`, async () => (await this.by('ask').count()) > 0
+      && (await this.page.locator('[data-testid="answer"][data-live="false"]').count())
+      + (await this.by('ask-notice').count()) > 0);
+  }
+
+  /** What was understood, in plain words; nothing when nothing was. */
+  async plain() {
+    return (await this.by('plain').count()) > 0 ? this.by('plain').textContent() : null;
   }
 
   /** Why the last command came to nothing: the kinds of the messages that are shown. */
@@ -81,22 +83,134 @@ export class Demo {
     return Promise.all(all.map((one) => one.getAttribute('data-kind')));
   }
 
-  /** Where the robot is, as the page says it: cell, and place in words. */
-  async robot() {
-    const stage = this.by('stage');
-    const [x, y, place] = await Promise.all(
-      ['x', 'y', 'place'].map((name) => stage.getAttribute(`data-robot-${name}`)));
-    return { x: Number(x), y: Number(y), place };
+  /** The button of this kind of help, and with these words if some are given. */
+  help(kind, words = '') {
+    return this.page.locator(`[data-testid="help"][data-help="${kind}"]`, { hasText: words }).first();
   }
 
-  /** Waits until the plan has been played to its end; returns its number of steps. */
+  /** Looks as deep as `say`, `see` or `study`. */
+  deepen(depth) {
+    return this.press(`depth-${depth}`);
+  }
+
+  /** The logical form of the reading that counts. */
+  async form() {
+    await this.deepen('study');
+    return this.by('reading-form').textContent();
+  }
+
+  // The room.
+
+  /** Where the robot is, as the page says it: cell, and the colour of its room. */
+  async robot() {
+    const stage = this.by('stage');
+    const [x, y, room] = await Promise.all(
+      ['x', 'y', 'room'].map((name) => stage.getAttribute(`data-robot-${name}`)));
+    return { x: Number(x), y: Number(y), room };
+  }
+
+  /** All of the room in words, as a screen reader is told. */
+  world() {
+    return this.by('stage').locator('svg.picture').getAttribute('aria-label');
+  }
+
+  /** Waits until the plan has been played to its end, four times as fast; returns its number of steps. */
   async played() {
     const plan = this.by('plan');
+    await this.by('plan-speed').selectOption('4×');
     await this.t.until('the plan is played', async () => {
       const [at, steps] = [await plan.getAttribute('data-at'), await plan.getAttribute('data-steps')];
       return at === steps && (await plan.getAttribute('data-playing')) === 'false';
     }, 60);
     return Number(await plan.getAttribute('data-steps'));
+  }
+
+  /** What a screen reader was told last. */
+  said() {
+    return this.by('announcement').textContent();
+  }
+
+  /** Waits until a screen reader is told something like this. */
+  async says(pattern) {
+    await this.t.until(`${pattern} is said aloud`, async () => pattern.test(await this.said()));
+  }
+
+  /** Chooses what the room is for: `watch`, `edit` or `teach`. */
+  mode(mode) {
+    return this.press(`mode-${mode}`);
+  }
+
+  /** Where a cell's middle is on the screen. */
+  async spot([x, y]) {
+    return this.by('stage').locator('svg.picture').evaluate((svg, [column, row]) => {
+      const { x: across, y: down } = new DOMPoint(column, -row).matrixTransform(svg.getScreenCTM());
+      return { x: across, y: down };
+    }, [x, y]);
+  }
+
+  /** Presses a cell of the room with the mouse. */
+  async tap(cell) {
+    await this.by('stage').scrollIntoViewIfNeeded();
+    const { x, y } = await this.spot(cell);
+    await this.page.mouse.click(x, y);
+  }
+
+  /** Drags with the mouse from one cell of the room to another. */
+  async drag(from, to) {
+    await this.by('stage').scrollIntoViewIfNeeded();
+    const [a, b] = [await this.spot(from), await this.spot(to)];
+    await this.page.mouse.move(a.x, a.y);
+    await this.page.mouse.down();
+    await this.page.mouse.move(b.x, b.y, { steps: 4 });
+    await this.page.mouse.up();
+  }
+
+  /** Presses keys in the room, one after another. */
+  async keys(...all) {
+    await this.by('room').focus();
+    for (const key of all) await this.page.keyboard.press(key);
+  }
+
+  /** Presses Tab until what has this test id has the focus. */
+  async reach(id) {
+    for (let presses = 0; presses < 80; presses += 1) {
+      const focused = await this.page.evaluate(() => document.activeElement?.getAttribute('data-testid'));
+      if (focused === id) return;
+      await this.page.keyboard.press('Tab');
+    }
+    throw new Error(`Tab never reaches ${id}`);
+  }
+
+  // Training and files.
+
+  /** Presses Train and waits for the model. */
+  async train() {
+    await this.press('train');
+    await this.t.until('it has trained', async () =>
+      (await this.by('trained').count()) > 0 && /trained here/.test(await this.by('trained').textContent()), 60);
+  }
+
+  /** Goes to the view in which one talks. */
+  async talk() {
+    await this.press('view-talk');
+    await this.ready();
+  }
+
+  /** Goes to the workbench. */
+  async workbench() {
+    await this.press('view-train');
+    await this.by('row').first().waitFor();
+  }
+
+  /** The text of the model that the workbench saves. */
+  model() {
+    return this.saved('save-model');
+  }
+
+  /** The text of the file that a button saves. */
+  async saved(id) {
+    const [download] = await Promise.all([this.page.waitForEvent('download'), this.press(id)]);
+    return readFile(await download.path(), 'utf8');
   }
 
   /** Chooses a corpus file with this text. */

@@ -90,7 +90,7 @@ impl Component for App {
             <ContextProvider<Language> context={state.language}>
                 <div class={classes!("page", self.dragging.then_some("dragging"))} data-drop={text.drop_here}
                     ondragover={drag(true)} ondragleave={drag(false)} ondrop={drop}>
-                    <a class="skip" href="#command">{ text.skip }</a>
+                    if state.view == View::Talk { <a class="skip" href="#command">{ text.skip }</a> }
                     <Masthead view={state.view} depth={state.depth} language={state.language}
                         can_undo={state.history.can_undo()} can_redo={state.history.can_redo()} act={act.clone()} />
                     <EngineNotice program={Program::Talker} health={state.talker.health.clone()} act={act.clone()} />

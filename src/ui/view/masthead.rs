@@ -25,7 +25,9 @@ pub(super) fn Masthead(props: &Props) -> Html {
     let Props { view, depth, language, can_undo, can_redo, act } = props;
     let link = |to: View, words: &'static str, href: &'static str, id: &'static str| {
         let current = (to == *view).then_some("page");
-        html! { <a {href} aria-current={current} data-testid={id}>{ words }</a> }
+        // The address may name this view already, when a file that was dropped led elsewhere.
+        let go = act.reform(move |_| Action::Go(to));
+        html! { <a {href} aria-current={current} data-testid={id} onclick={go}>{ words }</a> }
     };
     let speak = act.reform(|event: Event| {
         let chosen = event.target_dyn_into::<HtmlSelectElement>().map(|select| select.value());

@@ -50,12 +50,13 @@ pub(super) fn Proof(props: &Props) -> Html {
     let at = use_state_eq(|| last);
     let here = (*at).min(last);
     let (width, height) = (proof.width.to_string(), proof.height.to_string());
-    let skipped = proof.texts.iter().filter(|text| text.node.is_none());
+    // A node's name says nothing of the rule, so the rule is not written within it.
+    let beside = proof.texts.iter().filter(|text| text.node.is_none() || text.kind == Kind::Rule);
     html! {
         <div class="proof" role="tree" aria-label={label.clone()} data-testid={id.clone()}
             onkeydown={keys(props, here)}>
             <svg viewBox={format!("0 0 {width} {height}")} {width} {height}>
-                <g aria-hidden="true">{ for skipped.map(|text| written(text, props)) }</g>
+                <g aria-hidden="true">{ for beside.map(|text| written(text, props)) }</g>
                 { for (0..nodes.len()).map(|i| node(i, &proof, props, i == here, &at.setter())) }
             </svg>
         </div>
@@ -97,7 +98,7 @@ fn node(
     let (Some(node), Some(area)) = (props.nodes.get(i), proof.boxes.get(i)) else {
         return Html::default();
     };
-    let texts = proof.texts.iter().filter(|text| text.node == Some(i));
+    let texts = proof.texts.iter().filter(|t| t.node == Some(i) && t.kind != Kind::Rule);
     let line = proof.lines.iter().find(|line| line.node == i);
     let words = node.words;
     let point = props.on_link.reform(move |()| Some(words));
@@ -125,7 +126,8 @@ fn node(
             if let Some(line) = line {
                 <path class="proof-line" d={format!("M{} {}H{}", line.left, line.y, line.right)} />
             }
-            <g aria-hidden="true">{ for texts.map(|text| written(text, props)) }</g>
+            // Apart, as they are in the name.
+            <g aria-hidden="true">{ for texts.map(|text| html! { <>{ written(text, props) }{" "}</> }) }</g>
         </g>
     }
 }

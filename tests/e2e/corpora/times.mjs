@@ -4,7 +4,7 @@
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { flow } from '../flow.mjs';
-import { openPage } from '../page.mjs';
+import { openTrain } from '../page.mjs';
 
 const CORPORA = ['amt-50-train.csv', 'amt-pruned-train.csv'];
 
@@ -12,14 +12,16 @@ for (const name of CORPORA) {
   flow(`the worker's time on ${name}`, async (t) => {
     const text = await readFile(path.join(process.env.CORPORA, name), 'utf8').catch(() => null);
     if (text === null) return t.note('not in the folder');
-    const demo = await openPage(t);
+    const demo = await openTrain(t);
     await demo.drop(name, text);
     await t.until('the file is open', async () =>
       (await demo.by('corpus-name').textContent()) === name, 120);
     const start = Date.now();
-    await demo.by('train').click();
-    await demo.by('trained').waitFor({ timeout: 600_000 });
+    await demo.press('train');
+    await t.until('it has trained', async () =>
+      /trained here/.test(await demo.by('trained').textContent().catch(() => '')), 600);
     t.note(`15 epochs: ${((Date.now() - start) / 1000).toFixed(1)} s by the clock`);
+    await demo.talk();
     const taken = [];
     for (const command of ['go to the blue room', 'move next to the red chair', 'put the chair in the red room',
       'walk into the biggest room', 'stand to the left of the chair']) {

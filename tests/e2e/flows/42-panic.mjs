@@ -1,7 +1,7 @@
 // Errors in the program itself, in page and engine: told in words, the first of them kept, with a way on.
 
 import { flow } from '../flow.mjs';
-import { BLUE_ROOM, openPage } from '../page.mjs';
+import { openPage } from '../page.mjs';
 
 flow('a page that panics says so, once, and starts again', async (t) => {
   const demo = await openPage(t);
@@ -19,26 +19,37 @@ flow('a page that panics says so, once, and starts again', async (t) => {
     'the way on has the focus');
   await t.accessible('a page that has stopped');
   await t.shot('crash');
-  await demo.by('crash-restart').click();
-  await demo.by('row').first().waitFor();
+  await demo.press('crash-restart');
+  await demo.ready();
   t.equal(await demo.by('crash').isVisible(), false, 'the page is back');
 });
 
 flow('an engine that panics says so, and goes on with what was loaded', async (t) => {
   const demo = await openPage(t);
-  await demo.train();
-  const model = await demo.model();
   const said = 'panicked at src/ccg/chart.rs: an invented reason';
   await demo.page.evaluate((message) => {
     const data = JSON.stringify({ groundling: 5, id: 0, body: { crashed: { message } } });
-    globalThis.flowWorkers.at(-1).dispatchEvent(new MessageEvent('message', { data }));
+    globalThis.flowWorkers[0].dispatchEvent(new MessageEvent('message', { data }));
   }, said);
   await demo.by('engine-stopped').waitFor();
   t.check((await demo.by('engine-report').textContent()).includes(said), 'its words are shown');
-  await demo.by('restart-engine').click();
+  await demo.press('restart-engine');
   await t.until('the engine is back', async () => (await demo.by('engine-stopped').count()) === 0);
-  t.check((await demo.model()) === model, 'the model is kept');
-  await t.until('it can be asked', () => demo.by('ask').isEnabled());
+  await demo.ready();
   await demo.ask('go to the blue room');
-  t.equal((await demo.reading()).form, BLUE_ROOM, 'and answers');
+  t.equal(await demo.plain(), 'The robot is in the blue room.', 'and answers');
+});
+
+flow('a page without its model says so, and can train one', async (t) => {
+  t.expect(/cleanup\.model/);
+  t.expect(/404/);
+  await t.context.route(/cleanup\.model/, (route) => route.fulfill({ status: 404, body: '' }));
+  await t.open();
+  const notice = t.page.getByTestId('model-notice');
+  await notice.waitFor();
+  t.check(/404/.test(await notice.textContent()), 'why');
+  await t.accessible('a page without its model');
+  await t.context.unroute(/cleanup\.model/);
+  await t.page.getByTestId('fetch-model').click();
+  await t.until('it came', () => t.page.getByTestId('ask').isEnabled());
 });

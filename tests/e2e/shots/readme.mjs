@@ -3,10 +3,10 @@
 import path from 'node:path';
 import { flow } from '../flow.mjs';
 import { root } from '../packages.mjs';
-import { openPage } from '../page.mjs';
+import { openTrain } from '../page.mjs';
 
 flow('the page after “go to the blue room”', { viewport: { width: 1180, height: 900 } }, async (t) => {
-  const demo = await openPage(t);
+  const demo = await openTrain(t);
   await demo.train();
   await demo.ask('go to the blue room');
   await demo.played();

@@ -1,0 +1,52 @@
+// The depths of an answer: another reading is chosen, words and things point at each other, a meaning is reduced
+// step by step, a policy is tried many times.
+
+import { flow } from '../flow.mjs';
+import { openPage } from '../page.mjs';
+
+flow('another reading is chosen, played, and taken back', async (t) => {
+  const demo = await openPage(t);
+  await demo.deepen('see');
+  await demo.ask('take the block to the green room');
+  await demo.played();
+  t.check((await demo.by('reading').count()) > 2, 'several readings');
+  t.equal(await demo.plain(), 'The block is in the green room.', 'the first');
+  await demo.by('reading').nth(1).click();
+  await t.until('it is planned for', async () => (await demo.plain()) === 'The robot is next to the block.');
+  t.check(/less; differs in/.test(await demo.by('reading').nth(1).textContent()), 'what tells it from the first');
+  await demo.played();
+  t.check(/yellow block in the red room/.test(await demo.world()), 'the block stays');
+  await demo.press('undo');
+  t.equal(await demo.plain(), 'The block is in the green room.', 'taken back');
+});
+
+flow('words point at nodes, and a meaning is reduced step by step', async (t) => {
+  const demo = await openPage(t);
+  await demo.deepen('study');
+  await demo.ask('go to the blue room');
+  await demo.by('features').waitFor();
+  await demo.by('word').nth(3).hover();
+  t.check((await demo.page.locator('.proof-node.linked').count()) > 0, 'the word’s node');
+  await demo.page.locator('.proof-node').last().click();
+  await demo.press('reduce');
+  t.equal(await demo.by('reduction').locator('li').count(), 2, 'one step on');
+  await demo.press('reduce-all');
+  t.check(await demo.by('reduce').isDisabled(), 'all steps are shown');
+  t.check(/^[\d.]+$/.test(await demo.by('study-score').textContent()), 'the score');
+  await demo.page.locator('.proof-node').last().focus();
+  await demo.page.keyboard.press('ArrowUp');
+  t.check(await demo.page.evaluate(() => document.activeElement.getAttribute('role') === 'treeitem'), 'keys walk the tree');
+  await t.shot('study');
+});
+
+flow('with doors that may lock, the policy is tried many times', async (t) => {
+  const demo = await openPage(t);
+  await demo.deepen('see');
+  await demo.by('rule-slip').fill('0.3');
+  await demo.ask('go to the blue room');
+  await demo.played();
+  await demo.press('try-many');
+  await t.until('all runs', async () => (await demo.by('runs').getAttribute('data-runs')) === '500');
+  t.check(/of 500 runs got there/.test(await demo.by('runs').textContent()), 'in words');
+  t.check(/LRTDP|Value iteration/.test(await demo.by('solver-name').textContent()), 'the solver');
+});

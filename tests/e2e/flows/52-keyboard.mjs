@@ -1,0 +1,34 @@
+// The keyboard alone, from the first Tab to a plan that was played; and the page in German.
+
+import { flow } from '../flow.mjs';
+import { openPage } from '../page.mjs';
+
+flow('the keyboard alone asks, plays and steps', async (t) => {
+  const demo = await openPage(t);
+  const { keyboard } = demo.page;
+  await keyboard.press('Tab');
+  t.equal(await demo.page.evaluate(() => document.activeElement.className), 'skip', 'the first stop');
+  await keyboard.press('Enter');
+  await demo.reach('command');
+  await keyboard.type('go to the blue room');
+  await keyboard.press('Enter');
+  await demo.by('plan').waitFor();
+  await demo.played();
+  t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
+  await demo.reach('plan-first');
+  await keyboard.press('Enter');
+  t.equal(await demo.by('plan').getAttribute('data-at'), '0', 'back at the start');
+});
+
+flow('the page speaks German where the browser does', { locale: 'de-DE' }, async (t) => {
+  const demo = await openPage(t);
+  t.equal(await demo.page.locator('html').getAttribute('lang'), 'de', 'the language');
+  await demo.ask('go to the blue room');
+  await demo.played();
+  t.equal(await demo.plain(), 'Der Roboter ist im blauen Raum.', 'in plain words');
+  await t.accessible('the page in German');
+  await t.fits('the page in German');
+  await t.shot('german');
+  await demo.by('language').selectOption('en');
+  t.equal(await demo.plain(), 'The robot is in the blue room.', 'in English');
+});
