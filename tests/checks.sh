@@ -56,6 +56,7 @@ check "no browser natively" "
 check "browser tests" "cargo test --no-fail-fast --target $wasm --test 'browser_*'"
 check "release site" "trunk build --release --dist '$SITE' && test -s '$SITE/index.html'"
 check "sizes" "node tests/e2e/sizes.mjs '$SITE'"
+check "lighthouse" "node tests/e2e/lighthouse.mjs '$SITE'"
 # The flows also run the command line, which the native tests have built.
 check "end to end" "node tests/e2e/run.mjs"
 

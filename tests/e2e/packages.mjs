@@ -16,3 +16,6 @@ export const { PNG } = require('pngjs');
 export const pixelmatch = (await import(pathToFileURL(require.resolve('pixelmatch')))).default;
 /** The file of axe, which is run inside the page. */
 export const axeFile = require.resolve('axe-core/axe.min.js');
+/** Lighthouse, loaded by who asks for it: it is large. */
+export const lighthouse = async (...args) =>
+  (await import(pathToFileURL(require.resolve('lighthouse')))).default(...args);
