@@ -35,6 +35,10 @@ addEventListener("unhandledrejection", (event) => {
   if (event.reason instanceof WebAssembly.RuntimeError) crash(words(event.reason));
 });
 
+// Keeps the site for when there is no network, once the page itself has all it needs; whether the program starts or
+// not. Where a browser allows none, the page does without.
+addEventListener("load", () => navigator.serviceWorker?.register("sw.js").catch(() => {}));
+
 async function start() {
   if (typeof WebAssembly !== "object") {
     throw new Error(

@@ -19,6 +19,9 @@ export function flow(title, settings, body) {
 /** The folder of screenshots. */
 export const OUT = path.join(root, 'target/e2e');
 
+/** What browser and driver say by themselves: WebGPU with nothing to run it on, a service worker that the flow does without. */
+const OWN = /^(No available adapters\.|Service Worker registration blocked by Playwright)$/;
+
 /** What a flow's body is given. */
 export class Flow {
   /** `context` is a fresh browser context, `address` the site's. */
@@ -29,8 +32,8 @@ export class Flow {
     this.notes = [];
     /** What went wrong in the page by itself. */
     this.problems = [];
-    /** Problems that the flow provokes, as regular expressions; and what Chromium says of itself without a GPU. */
-    this.expected = [/^console: No available adapters\.$/];
+    /** Problems that the flow provokes, as regular expressions. */
+    this.expected = [];
   }
 
   /** Says something worth reading in the report. */
@@ -45,8 +48,7 @@ export class Flow {
     const origin = new URL(address).origin;
     const problem = (what) => this.problems.push(what);
     page.on('console', (message) => {
-      // What a browser says by itself when it has WebGPU but nothing to run it on: WebGL2 is taken then.
-      if (message.text() === 'No available adapters.') return;
+      if (OWN.test(message.text())) return;
       if (['error', 'warning'].includes(message.type())) problem(`console: ${message.text()}`);
     });
     page.on('pageerror', (error) => problem(`uncaught: ${error.stack ?? error}`));
