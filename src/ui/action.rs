@@ -130,6 +130,8 @@ pub enum Action {
     Link(Option<super::link::Link>),
     /// The goal cells of a reading are to be seen, or no longer.
     Preview(Option<usize>),
+    /// All readings are to be seen.
+    AllReadings,
     /// A constituent of the derivation was chosen.
     ChooseNode(usize),
     /// Another step of its reduction is shown.

@@ -62,6 +62,11 @@ impl Engine {
         }
     }
 
+    /// Which program it runs.
+    pub const fn program(&self) -> Program {
+        self.program
+    }
+
     /// Has it loaded, if it is not yet.
     pub fn wake(&mut self, effects: &mut Vec<Effect>) {
         if self.health == Health::Asleep {

@@ -242,6 +242,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         | Action::AskExample(_)
         | Action::Choose(_)
         | Action::Link(_)
+        | Action::AllReadings
         | Action::Preview(_)
         | Action::ChooseNode(_)
         | Action::Reduce(_)

@@ -36,6 +36,8 @@ pub struct Talk {
     pub preview: Option<usize>,
     /// What the readings' scores are made of, and how their meanings came about.
     pub studies: Option<Rc<Vec<Study>>>,
+    /// Whether all readings are shown, or the first few.
+    pub all_readings: bool,
     /// The constituent that is studied.
     pub node: Option<usize>,
     /// How many steps of its reduction are shown.
@@ -64,6 +66,7 @@ pub(super) fn act(state: &mut State, action: Action, effects: &mut Vec<Effect>) 
         }
         Action::Choose(reading) => choose(state, reading, effects),
         Action::Link(link) => state.talk.link = link,
+        Action::AllReadings => state.talk.all_readings = true,
         Action::Preview(reading) => state.talk.preview = reading,
         Action::ChooseNode(node) => (state.talk.node, state.talk.steps) = (Some(node), 0),
         Action::Reduce(steps) => state.talk.steps = steps,

@@ -1,43 +1,33 @@
 //! What a command was taken to mean: its words, the goal in plain words, and why nothing came of it, with help.
 
-use super::words::use_text;
-use crate::ui::Action;
 use crate::ui::link::{Link, holds};
 use crate::ui::text::Text;
-use crate::ui::why::{Help, Message};
-use crate::worker::protocol::{Fate, Reading, Word};
-use yew::{Callback, Html, Properties, classes, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) words: Vec<Word>,
-    pub(super) reading: Option<Reading>,
-    /// Whether this is of a command that is being typed.
-    pub(super) live: bool,
-    pub(super) messages: Vec<Message>,
-    pub(super) link: Option<Link>,
-    pub(super) act: Callback<Action>,
-}
+use crate::ui::why::{self, Help, Message};
+use crate::ui::{Action, State};
+use crate::worker::protocol::{Answer, Fate, Word};
+use yew::{Callback, Html, classes, html};
 
 /// The answer to the command.
-#[component]
-pub(super) fn AnswerPanel(props: &Props) -> Html {
-    let text = use_text();
-    let Props { words, reading, live, messages, link, act } = props;
+pub(super) fn answer(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let Some(Answer { words, .. }) = state.heard() else { return Html::default() };
+    // Whether this is of a command that is being typed.
+    let live = state.talk.live.is_some();
+    let link = state.talk.link;
     html! {
         <div class="answer" data-testid="answer" data-live={live.to_string()}>
             if !words.is_empty() {
                 <p class="words" lang="en" aria-label={text.the_words}>
-                    { for words.iter().enumerate().map(|(place, word)| show(text, place, word, *link, act)) }
+                    { for words.iter().enumerate().map(|(place, word)| show(text, place, word, link, act)) }
                 </p>
             }
-            if let Some(reading) = reading {
+            if let Some(reading) = state.heard_reading() {
                 <p class="understood" data-testid="understood">
-                    <span class="dim">{ if *live { text.it_would_mean } else { text.it_means } }</span>
+                    <span class="dim">{ if live { text.it_would_mean } else { text.it_means } }</span>
                     <strong data-testid="plain">{ text.sentence(&reading.claim) }</strong>
                 </p>
             }
-            { for messages.iter().map(|message| tell(text, message, words, act)) }
+            { for why::messages(state).iter().map(|message| tell(text, message, words, act)) }
         </div>
     }
 }

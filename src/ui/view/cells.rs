@@ -1,21 +1,21 @@
 //! The world cell by cell, as a table: what the picture shows, for those who do not see it.
 
-use super::words::use_text;
 use crate::domain::State;
 use crate::render::Grid;
-use crate::ui::text::Text;
+use crate::ui::text::{Language, Text};
 use web_sys::{Event, HtmlDetailsElement};
 use yew::{Callback, Html, Properties, TargetCast, component, html, use_state_eq};
 
 #[derive(PartialEq, Properties)]
 pub(super) struct Props {
     pub(super) shown: State,
+    pub(super) language: Language,
 }
 
 /// The table, made when it is opened.
 #[component]
 pub(super) fn Cells(props: &Props) -> Html {
-    let text = use_text();
+    let text = props.language.text();
     let open = use_state_eq(|| false);
     let toggled = {
         let open = open.clone();

@@ -3,31 +3,17 @@
 
 use crate::render::{Rgba, Theme};
 use crate::ui::chart::Chart;
+use crate::ui::text::Text;
 use crate::worker::protocol::PlanProgress;
-use yew::{AttrValue, Html, Properties, component, html};
+use yew::{Html, html};
 
 /// Steps of a legend's colours.
 const STEPS: u32 = 30;
 /// A tenth: where the values that are worth anything begin ([`crate::render::spread`]).
 const LEAST: f32 = 0.1;
 
-/// What a [`Plot`] shows.
-#[derive(PartialEq, Properties)]
-pub(super) struct PlotProps {
-    /// The chart.
-    pub(super) chart: Chart,
-    /// What it is, in words.
-    pub(super) label: AttrValue,
-    /// What its x axis counts.
-    pub(super) x_name: AttrValue,
-    /// What its y axis measures.
-    pub(super) y_name: AttrValue,
-}
-
 /// A chart with its axes.
-#[component]
-pub(super) fn Plot(props: &PlotProps) -> Html {
-    let PlotProps { chart, label, x_name, y_name } = props;
+fn plot(chart: &Chart, label: &str, x_name: &str, y_name: &str) -> Html {
     let [left, top, right, bottom] = Chart::FRAME;
     let x_ticks = chart.x.ticks();
     let ends = [x_ticks.first(), x_ticks.last()].map(|tick| tick.map_or("", |tick| &tick.label));
@@ -56,59 +42,23 @@ pub(super) fn Plot(props: &PlotProps) -> Html {
     }
 }
 
-/// What [`Bounds`] shows.
-#[derive(PartialEq, Properties)]
-pub(super) struct BoundsProps {
-    /// What a planner told on its way.
-    pub(super) reports: Vec<PlanProgress>,
-    /// What it is, in words.
-    pub(super) label: AttrValue,
-    /// The name of the bounds.
-    pub(super) bounds: AttrValue,
-    /// The name of the residual.
-    pub(super) residual: AttrValue,
-    /// The name of the steps.
-    pub(super) steps: AttrValue,
-}
-
 /// How a planner came to its answer: what it proved of the start, and how much its values still changed. A chart
 /// without anything to show is left out.
-#[component]
-pub(super) fn Bounds(props: &BoundsProps) -> Html {
-    let BoundsProps { reports, label, bounds, residual, steps } = props;
+pub(super) fn bounds(text: &Text, reports: &[PlanProgress]) -> Html {
     let at = |report: &PlanProgress| report.steps as f64;
     let proved: Vec<_> = reports.iter().map(|report| (at(report), report.bounds)).collect();
     let changed: Vec<_> = reports.iter().map(|report| (at(report), report.residual)).collect();
-    let plot = |chart: Chart, name: &AttrValue| {
-        html! {
-            <Plot {chart} label={label.clone()} x_name={steps.clone()} y_name={name.clone()} />
-        }
-    };
+    let plot = |chart: Chart, name: &str| plot(&chart, text.chart, text.steps, name);
     html! {
         <div class="charts" data-testid="bounds">
-            if !proved.is_empty() { { plot(Chart::band(&proved), bounds) } }
-            if changed.iter().any(|point| point.1 > 0.0) { { plot(Chart::line(&changed, true), residual) } }
+            if !proved.is_empty() { { plot(Chart::band(&proved), text.bounds) } }
+            if changed.iter().any(|point| point.1 > 0.0) { { plot(Chart::line(&changed, true), text.residual) } }
         </div>
     }
 }
 
-/// What a [`Legend`] shows.
-#[derive(PartialEq, Properties)]
-pub(super) struct LegendProps {
-    /// Whose colours.
-    pub(super) theme: Theme,
-    /// What the lowest value is that is worth anything.
-    pub(super) low: AttrValue,
-    /// What the highest value is.
-    pub(super) high: AttrValue,
-    /// What the values are, in words.
-    pub(super) label: AttrValue,
-}
-
 /// The colours and sizes of values from low to high.
-#[component]
-pub(super) fn Legend(props: &LegendProps) -> Html {
-    let LegendProps { theme, low, high, label } = props;
+pub(super) fn legend(theme: Theme, low: &str, high: &str, label: &str) -> Html {
     let step = |i: u32| {
         let share = i as f32 / (STEPS - 1) as f32;
         // As the tiles grow in the picture.
@@ -127,25 +77,13 @@ pub(super) fn Legend(props: &LegendProps) -> Html {
     }
 }
 
-/// What an [`Interval`] shows.
-#[derive(PartialEq, Properties)]
-pub(super) struct IntervalProps {
-    /// The share, in 0..=1.
-    pub(super) share: f64,
-    /// What confidence leaves open of it.
-    pub(super) interval: [f64; 2],
-    /// Both, in words.
-    pub(super) label: AttrValue,
-}
-
 /// A share of all, with its interval.
-#[component]
-pub(super) fn Interval(props: &IntervalProps) -> Html {
+pub(super) fn interval(share: f64, interval: [f64; 2], label: &str) -> Html {
     let percent = |share: f64| (100.0 * share).clamp(0.0, 100.0);
-    let [low, high] = props.interval.map(percent);
-    let share = percent(props.share);
+    let [low, high] = interval.map(percent);
+    let share = percent(share);
     html! {
-        <svg class="interval" viewBox="-2 0 104 10" role="img" aria-label={props.label.clone()} data-testid="interval">
+        <svg class="interval" viewBox="-2 0 104 10" role="img" aria-label={label.to_owned()} data-testid="interval">
             <path class="interval-scale" d="M0 5H100M0 3V7M25 4V6M50 3V7M75 4V6M100 3V7" />
             <rect class="interval-open" x={low.to_string()} y="2.5" width={(high - low).max(0.0).to_string()} height="5" rx="1" />
             <path class="interval-share" d={format!("M{share} 1V9")} />

@@ -1,26 +1,15 @@
 //! The plan and how it is played: play, pause, step, scrub, speed; what happened that nobody expected.
 
 use super::sign::{Sign, sign};
-use super::words::use_text;
-use crate::ui::Action;
-use crate::ui::playback::Playback;
 use crate::ui::watch::Speed;
+use crate::ui::{Action, State};
 use web_sys::{Event, HtmlInputElement, HtmlSelectElement};
-use yew::{Callback, Html, InputEvent, Properties, TargetCast, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) playback: Option<Playback>,
-    pub(super) speed: Speed,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The plan's controls; nothing when there is no plan.
-#[component]
-pub(super) fn Controls(props: &Props) -> Html {
-    let text = use_text();
-    let Props { playback, speed, act } = props;
-    let Some(plan) = playback else { return Html::default() };
+pub(super) fn controls(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let Some(plan) = &state.watch.playback else { return Html::default() };
     let (at, steps) = (plan.at(), plan.steps());
     let scrub = act.reform(|event: InputEvent| {
         let value = event.target_dyn_into::<HtmlInputElement>().map(|input| input.value());
@@ -50,7 +39,7 @@ pub(super) fn Controls(props: &Props) -> Html {
                 oninput={scrub} />
             <select aria-label={text.speed} data-testid="plan-speed" onchange={hurry}>
                 { for Speed::ALL.into_iter().map(|one| html! {
-                    <option selected={one == *speed}>{ one.name() }</option>
+                    <option selected={one == state.watch.speed}>{ one.name() }</option>
                 }) }
             </select>
             <output data-testid="plan-step">

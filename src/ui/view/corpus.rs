@@ -1,29 +1,20 @@
 //! What it learns from: the commands of the open corpus with their rooms before and after, and another file.
 
-use super::files::OpenFile;
-use super::notice::Problems;
-use super::row::Row;
-use super::words::use_text;
+use super::files::open_file;
+use super::notice::problems;
+use super::row::row;
 use crate::render::Theme;
-use crate::ui::Action;
 use crate::ui::corpus::Corpus;
 use crate::ui::text::Text;
-use crate::ui::train::FileNotice;
-use yew::{Callback, Html, Properties, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) corpus: Option<Corpus>,
-    pub(super) notice: Option<FileNotice>,
-    pub(super) theme: Theme,
-    pub(super) act: Callback<Action>,
-}
+use crate::ui::train::Train;
+use crate::ui::{Action, State};
+use yew::{Callback, Html, html};
 
 /// The corpus panel.
-#[component]
-pub(super) fn CorpusPanel(props: &Props) -> Html {
-    let text = use_text();
-    let Props { corpus, notice, theme, act } = props;
+pub(super) fn corpus(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let Train { corpus, file_notice: notice, .. } = &state.train;
+    let accept = ".csv,.tsv,.jsonl,.txt";
     html! {
         <section class="card corpus" aria-labelledby="corpus-title">
             <div class="card-head">
@@ -32,15 +23,14 @@ pub(super) fn CorpusPanel(props: &Props) -> Html {
                     <span class="tag" data-testid="corpus-name">{ &corpus.report.name }</span>
                 }
             </div>
-            <OpenFile id="corpus-file" label={text.open_corpus} accept=".csv,.tsv,.jsonl,.txt"
-                hint={text.corpus_hint} act={act.clone()} />
+            { open_file("corpus-file", text.open_corpus, accept, Some(text.corpus_hint), act) }
             if let Some(notice) = notice {
                 <div class="notice bad" role="alert" data-testid="file-notice">
                     <p><strong>{ &notice.message }</strong></p>
-                    <Problems problems={notice.problems.clone()} />
+                    { problems(text, &notice.problems) }
                 </div>
             }
-            if let Some(corpus) = corpus { { list(text, corpus, *theme, act) } }
+            if let Some(corpus) = corpus { { list(text, corpus, state.preferences.theme, act) } }
         </section>
     }
 }
@@ -65,15 +55,11 @@ fn list(text: &Text, corpus: &Corpus, theme: Theme, act: &Callback<Action>) -> H
             if !report.problems.is_empty() {
                 <details class="problems-box" open={report.problems.len() <= 5}>
                     <summary>{ (text.rows_to_look_at)(report.problems.len()) }</summary>
-                    <Problems problems={report.problems.clone()} />
+                    { problems(text, &report.problems) }
                 </details>
             }
             <ol class="rows" data-testid="rows">
-                { for report.rows.iter().take(corpus.shown).enumerate().map(|(i, row)| html! {
-                    <Row key={i} index={i} command={row.command.clone()} task={row.task.clone()}
-                        count={row.pairs} open={corpus.open == Some(i)} pairs={corpus.pairs.get(&i).cloned()}
-                        theme={theme} act={act.clone()} />
-                }) }
+                { for (0..corpus.shown).map(|index| row(text, corpus, index, theme, act)) }
             </ol>
             if left > 0 {
                 <button type="button" class="plain" data-testid="more-rows"

@@ -1,26 +1,18 @@
 //! Changing the room: tools, and other worlds: those that come with the page, random ones, and as text.
 
-use super::select::Select;
-use super::words::use_text;
+use super::select::select;
 use crate::domain::{Blueprint, Color, Lock, Shape, Size, Style};
-use crate::ui::Action;
 use crate::ui::edit::Look;
 use crate::ui::room::{Room, Tool};
 use crate::ui::text::Text;
+use crate::ui::{Action, State};
 use web_sys::{HtmlInputElement, HtmlTextAreaElement, SubmitEvent};
-use yew::{Callback, Html, InputEvent, Properties, TargetCast, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) room: Room,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The tools, with what they are set to.
-#[component]
-pub(super) fn Tools(props: &Props) -> Html {
-    let text = use_text();
-    let Props { room, act } = props;
+pub(super) fn tools(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let room = &state.room;
     html! {
         <div class="toolbox">
             <div class="switch wrap" role="group" aria-label={text.tools}>
@@ -39,47 +31,52 @@ pub(super) fn Tools(props: &Props) -> Html {
     }
 }
 
+/// What the tool is set to.
 fn settings(text: &'static Text, room: &Room, act: &Callback<Action>) -> Html {
     let look = room.look;
+    let colors = || Color::ALL.iter().map(|color| text.color_name(*color));
     match room.tool {
         Tool::Object => {
-            let sizes: Vec<Option<Size>> =
-                std::iter::once(None).chain(Size::ALL.iter().copied().map(Some)).collect();
+            let shapes = Shape::ALL.iter().map(|shape| text.shape_name(*shape));
+            let sizes = || std::iter::once(None).chain(Size::ALL.iter().copied().map(Some));
+            let size = sizes().position(|size| size == look.size).unwrap_or(0);
+            let shaped =
+                act.reform(move |n| Action::SetLook(Look { shape: at(Shape::ALL, n), ..look }));
+            let colored =
+                act.reform(move |n| Action::SetLook(Look { color: at(Color::ALL, n), ..look }));
+            let sized = act.reform(move |n| {
+                let size = std::iter::once(None).chain(Size::ALL.iter().copied().map(Some)).nth(n);
+                Action::SetLook(Look { size: size.flatten(), ..look })
+            });
             html! {
                 <div class="fields">
-                    <Select<Shape> id="look-shape" label={text.shape} all={Shape::ALL.to_vec()} chosen={look.shape}
-                        name={Callback::from(|s| text_shape(text, s))}
-                        choose={act.reform(move |shape| Action::SetLook(Look { shape, ..look }))} />
-                    <Select<Color> id="look-color" label={text.color} all={Color::ALL.to_vec()} chosen={look.color}
-                        name={Callback::from(|c: Color| text.color_name(c).to_owned())}
-                        choose={act.reform(move |color| Action::SetLook(Look { color, ..look }))} />
-                    <Select<Option<Size>> id="look-size" label={text.size} all={sizes} chosen={look.size}
-                        name={Callback::from(|s| text.size_name(s).to_owned())}
-                        choose={act.reform(move |size| Action::SetLook(Look { size, ..look }))} />
+                    { select("look-shape", text.shape, shapes, look.shape as usize, shaped) }
+                    { select("look-color", text.color, colors(), look.color as usize, colored) }
+                    { select("look-size", text.size, sizes().map(|s| text.size_name(s)), size, sized) }
                 </div>
             }
         }
-        Tool::Room => html! {
-            <div class="fields">
-                <Select<Color> id="paint" label={text.color} all={Color::ALL.to_vec()} chosen={room.paint}
-                    name={Callback::from(|c: Color| text.color_name(c).to_owned())}
-                    choose={act.reform(Action::SetPaint)} />
-            </div>
-        },
+        Tool::Room => {
+            let painted = act.reform(|n| Action::SetPaint(at(Color::ALL, n)));
+            html! {
+                <div class="fields">
+                    { select("paint", text.color, colors(), room.paint as usize, painted) }
+                </div>
+            }
+        }
         _ => Html::default(),
     }
 }
 
-fn text_shape(text: &Text, shape: Shape) -> String {
-    text.shape_name(shape).to_owned()
+/// The value at a place that a choice was made of; the first, should there be none.
+fn at<T: Copy>(all: &[T], place: usize) -> T {
+    all.get(place).copied().unwrap_or(all[0])
 }
 
 /// Random worlds, and the world as text.
-#[component]
-pub(super) fn Worlds(props: &Props) -> Html {
-    let text = use_text();
-    let Props { room, act } = props;
-    let Room { blueprint, seed, text: drawing, notice, .. } = room;
+pub(super) fn worlds(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let Room { blueprint, seed, text: drawing, notice, .. } = &state.room;
     let blueprint = *blueprint;
     let draw = act.reform(|event: SubmitEvent| {
         event.prevent_default();
@@ -99,20 +96,20 @@ pub(super) fn Worlds(props: &Props) -> Html {
         let seed = *seed;
         act.reform(move |event: InputEvent| Action::SetSeed(typed(&event).unwrap_or(seed)))
     };
+    let styled = act
+        .reform(move |n| Action::SetBlueprint(Blueprint { style: at(Style::ALL, n), ..blueprint }));
+    let locked = act
+        .reform(move |n| Action::SetBlueprint(Blueprint { lock: at(Lock::ALL, n), ..blueprint }));
     html! {
         <details class="worlds" data-testid="worlds">
             <summary>{ text.random_world }</summary>
             <form class="fields" onsubmit={draw}>
-                <Select<Style> id="world-style" label={text.style} all={Style::ALL.to_vec()} chosen={blueprint.style}
-                    name={Callback::from(|s: Style| text.style_name(s).to_owned())}
-                    choose={act.reform(move |style| Action::SetBlueprint(Blueprint { style, ..blueprint }))} />
+                { select("world-style", text.style, text.styles.into_iter(), blueprint.style as usize, styled) }
                 { number("world-rooms", text.rooms, blueprint.rooms, (3, 12), |b, rooms| Blueprint { rooms, ..b }) }
                 { number("world-columns", text.columns, blueprint.columns, (7, 32), |b, columns| Blueprint { columns, ..b }) }
                 { number("world-rows", text.rows, blueprint.rows, (7, 32), |b, rows| Blueprint { rows, ..b }) }
                 { number("world-objects", text.objects, blueprint.objects, (0, 8), |b, objects| Blueprint { objects, ..b }) }
-                <Select<Lock> id="world-lock" label={text.doors} all={Lock::ALL.to_vec()} chosen={blueprint.lock}
-                    name={Callback::from(|l: Lock| text.lock_name(l).to_owned())}
-                    choose={act.reform(move |lock| Action::SetBlueprint(Blueprint { lock, ..blueprint }))} />
+                { select("world-lock", text.doors, text.lock_names.into_iter(), blueprint.lock as usize, locked) }
                 { field("world-seed", text.seed, *seed, (0, u32::MAX), seeded) }
                 <button type="submit" class="plain" data-testid="draw-world">{ text.draw }</button>
             </form>

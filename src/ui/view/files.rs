@@ -4,22 +4,17 @@ use crate::ui::files::Fault;
 use crate::ui::{Action, files};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Event, File, FileList, HtmlInputElement};
-use yew::{AttrValue, Callback, Html, Properties, TargetCast, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) id: AttrValue,
-    pub(super) label: AttrValue,
-    pub(super) accept: AttrValue,
-    #[prop_or_default]
-    pub(super) hint: Option<AttrValue>,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, TargetCast, html};
 
 /// A file to choose: the label is the button, the input itself is unseen but takes the focus.
-#[component]
-pub(super) fn OpenFile(props: &Props) -> Html {
-    let act = props.act.clone();
+pub(super) fn open_file(
+    id: &'static str,
+    label: &'static str,
+    accept: &'static str,
+    hint: Option<&str>,
+    act: &Callback<Action>,
+) -> Html {
+    let act = act.clone();
     let chosen = Callback::from(move |event: Event| {
         let Some(input) = event.target_dyn_into::<HtmlInputElement>() else { return };
         read_all(input.files(), &act);
@@ -28,10 +23,10 @@ pub(super) fn OpenFile(props: &Props) -> Html {
     });
     html! {
         <p class="open-file">
-            <input class="unseen" type="file" id={props.id.clone()} data-testid={props.id.clone()}
-                accept={props.accept.clone()} onchange={chosen} />
-            <label class="plain" for={props.id.clone()}>{ &props.label }</label>
-            if let Some(hint) = &props.hint { <span class="dim">{ hint }</span> }
+            <input class="unseen" type="file" {id} data-testid={id}
+                {accept} onchange={chosen} />
+            <label class="plain" for={id}>{ label }</label>
+            if let Some(hint) = hint { <span class="dim">{ hint }</span> }
         </p>
     }
 }

@@ -1,28 +1,16 @@
 //! The head of the page: its name, the views, how deep to look, undo, share, language.
 
 use super::sign::{Sign, sign};
-use super::words::use_text;
-use crate::ui::Action;
 use crate::ui::action::{Depth, View};
 use crate::ui::text::Language;
+use crate::ui::{Action, State};
 use web_sys::{Event, HtmlSelectElement};
-use yew::{Callback, Html, Properties, TargetCast, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) view: View,
-    pub(super) depth: Depth,
-    pub(super) language: Language,
-    pub(super) can_undo: bool,
-    pub(super) can_redo: bool,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, TargetCast, html};
 
 /// The head of the page.
-#[component]
-pub(super) fn Masthead(props: &Props) -> Html {
-    let text = use_text();
-    let Props { view, depth, language, can_undo, can_redo, act } = props;
+pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let State { view, depth, language, history, .. } = state;
     let link = |to: View, words: &'static str, href: &'static str, id: &'static str| {
         let current = (to == *view).then_some("page");
         // The address may name this view already, when a file that was dropped led elsewhere.
@@ -52,8 +40,8 @@ pub(super) fn Masthead(props: &Props) -> Html {
                                 onclick={act.reform(move |_| Action::Deepen(to))}>{ text.depth_name(to) }</button>
                         }) }
                     </div>
-                    { sign("undo", text.undo, Sign::Undo, !can_undo, act.reform(|()| Action::Undo)) }
-                    { sign("redo", text.redo, Sign::Redo, !can_redo, act.reform(|()| Action::Redo)) }
+                    { sign("undo", text.undo, Sign::Undo, !history.can_undo(), act.reform(|()| Action::Undo)) }
+                    { sign("redo", text.redo, Sign::Redo, !history.can_redo(), act.reform(|()| Action::Redo)) }
                     { sign("share", text.share, Sign::Share, false, act.reform(|()| Action::Share)) }
                 }
                 <label class="unseen" for="language">{ text.language }</label>

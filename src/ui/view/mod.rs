@@ -1,10 +1,10 @@
-//! The page as Yew draws it; wasm only. Components are thin: they show a part of the state and send actions.
+//! The page as Yew draws it; wasm only. Views are functions of the state that send actions; only what has something of
+//! its own to remember (a canvas, what is folded open) is a component, since each costs what every visitor loads.
 
 mod app;
 mod address;
 mod effects;
 mod host;
-mod words;
 mod sign;
 mod select;
 mod masthead;

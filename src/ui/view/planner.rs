@@ -1,34 +1,19 @@
 //! The planner: what is shown of its policy in the room, which solver it was and why, what it proved, and how often
 //! the policy gets there.
 
-use super::chart::{Bounds, Interval, Legend};
-use super::words::use_text;
-use crate::render::Theme;
-use crate::ui::Action;
+use super::chart::{bounds, interval, legend};
 use crate::ui::action::Depth;
 use crate::ui::text::Text;
-use crate::ui::watch::{Layer, RUNS, Watch};
-use crate::worker::protocol::{PlanText, Runs};
-use std::rc::Rc;
-use yew::{Callback, Html, Properties, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) watch: Watch,
-    pub(super) plan: Option<Rc<PlanText>>,
-    /// What the values that are shown reach from and to.
-    pub(super) range: Option<[f64; 2]>,
-    pub(super) depth: Depth,
-    pub(super) theme: Theme,
-    pub(super) rolling: bool,
-    pub(super) act: Callback<Action>,
-}
+use crate::ui::watch::{Layer, RUNS};
+use crate::ui::{Action, State, overlay};
+use crate::worker::protocol::{Request, Runs};
+use yew::{Callback, Html, html};
 
 /// The planner's card.
-#[component]
-pub(super) fn Planner(props: &Props) -> Html {
-    let text = use_text();
-    let Props { watch, plan, range, depth, theme, rolling, act } = props;
+pub(super) fn planner(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let State { watch, depth, .. } = state;
+    let rolling = state.talker.is_at(|request| matches!(request, Request::RollOut { .. }));
     let work = watch.reports.last();
     html! {
         <section class="card" aria-labelledby="planner-title" data-testid="planner">
@@ -42,8 +27,8 @@ pub(super) fn Planner(props: &Props) -> Html {
                     </label>
                 }) }
             </div>
-            if let Some([low, high]) = range {
-                <Legend theme={*theme} low={format!("{low:.3}")} high={format!("{high:.3}")} label={text.value_legend} />
+            if let Some([low, high]) = overlay::values_range(state) {
+                { legend(state.preferences.theme, &format!("{low:.3}"), &format!("{high:.3}"), text.value_legend) }
             }
             if let Some(work) = work {
                 <dl class="facts" data-testid="solver">
@@ -53,19 +38,19 @@ pub(super) fn Planner(props: &Props) -> Html {
                     if let Some(seconds) = watch.seconds {
                         <div><dt>{ text.took }</dt><dd data-testid="took">{ (text.milliseconds)(seconds) }</dd></div>
                     }
-                    <div><dt>{ text.worth }</dt><dd>{ bounds(work.bounds) }</dd></div>
-                    if let Some(plan) = plan { if plan.replans > 0 {
+                    <div><dt>{ text.worth }</dt><dd>{ proved(work.bounds) }</dd></div>
+                    if let Some(plan) = state.document.plan() { if plan.replans > 0 {
                         <div><dt>{ text.replans }</dt><dd data-testid="replans">{ plan.replans }</dd></div>
                     } }
                 </dl>
                 if *depth == Depth::Study && watch.reports.len() > 1 {
-                    <Bounds reports={watch.reports.clone()} label={text.chart} bounds={text.bounds} residual={text.residual} steps={text.steps} />
+                    { bounds(text, &watch.reports) }
                 }
             } else {
                 <p class="dim">{ text.no_plan_yet }</p>
             }
             <p class="buttons">
-                <button type="button" class="plain" data-testid="try-many" disabled={!watch.has_policy || *rolling}
+                <button type="button" class="plain" data-testid="try-many" disabled={!watch.has_policy || rolling}
                     onclick={act.reform(|_| Action::TryMany)}>{ (text.try_many)(RUNS) }</button>
             </p>
             if let Some(runs) = watch.runs { { outcome(text, &runs) } }
@@ -73,7 +58,7 @@ pub(super) fn Planner(props: &Props) -> Html {
     }
 }
 
-fn bounds([low, high]: [f64; 2]) -> String {
+fn proved([low, high]: [f64; 2]) -> String {
     if high - low < 5e-5 { format!("{low:.4}") } else { format!("{low:.4} … {high:.4}") }
 }
 
@@ -81,7 +66,7 @@ fn outcome(text: &Text, runs: &Runs) -> Html {
     let share = f64::from(runs.successes) / f64::from(runs.runs.max(1));
     html! {
         <div data-testid="runs" data-runs={runs.runs.to_string()}>
-            <Interval share={share} interval={runs.interval} label={(text.runs)(runs)} />
+            { interval(share, runs.interval, &(text.runs)(runs)) }
             <p>{ (text.runs)(runs) }</p>
         </div>
     }

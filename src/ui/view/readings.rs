@@ -2,37 +2,31 @@
 //! phrases stand for.
 
 use super::picture::Picture;
-use super::words::use_text;
-use crate::domain::State;
-use crate::render::{Options, Theme};
-use crate::ui::Action;
+use crate::render::Options;
+use crate::ui::document::Said;
 use crate::ui::link::{self, Link};
 use crate::ui::text::Text;
+use crate::ui::{Action, State};
 use crate::worker::protocol::{Answer, Reading};
-use std::rc::Rc;
-use yew::{Callback, Html, Properties, classes, component, html, use_state_eq};
+use yew::{Callback, Html, classes, html};
 
 /// So many readings are shown at first, and all that are equally likely.
 const FIRST: usize = 4;
 
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) answer: Rc<Answer>,
-    /// The world that the command was said in.
-    pub(super) world: Rc<State>,
-    pub(super) chosen: usize,
-    pub(super) link: Option<Link>,
-    pub(super) theme: Theme,
-    pub(super) act: Callback<Action>,
-}
-
 /// The readings, best first.
-#[component]
-pub(super) fn Readings(props: &Props) -> Html {
-    let text = use_text();
-    let Props { answer, world, chosen, link, theme, act } = props;
-    let all = use_state_eq(|| false);
-    let shown = if *all { answer.readings.len() } else { FIRST.max(chosen + 1).max(tied(answer)) };
+pub(super) fn readings(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let said = state.document.said.as_ref().filter(|_| state.talk.live.is_none());
+    let Some(Said { world, answer, chosen, .. }) = said else { return Html::default() };
+    if answer.readings.is_empty() {
+        return Html::default();
+    }
+    let (link, theme) = (state.talk.link, state.preferences.theme);
+    let shown = if state.talk.all_readings {
+        answer.readings.len()
+    } else {
+        FIRST.max(chosen + 1).max(tied(answer))
+    };
     let best = answer.readings.first().map_or(0.0, |reading| reading.score);
     html! {
         <section class="card" aria-labelledby="readings-title">
@@ -42,7 +36,7 @@ pub(super) fn Readings(props: &Props) -> Html {
             </div>
             <ul class="readings" aria-label={text.readings}>
                 { for answer.readings.iter().enumerate().take(shown).map(|(place, reading)| {
-                    let options = Options { theme: *theme, goal: reading.cells.clone(), ..Options::default() };
+                    let options = Options { theme, goal: reading.cells.clone(), ..Options::default() };
                     html! {
                         <li key={reading.form.clone()}>
                             <button type="button" aria-pressed={(place == *chosen).to_string()}
@@ -68,11 +62,11 @@ pub(super) fn Readings(props: &Props) -> Html {
             if shown < answer.readings.len() {
                 <p class="buttons">
                     <button type="button" class="quiet" data-testid="more-readings"
-                        onclick={Callback::from(move |_| all.set(true))}>{ text.all_readings }</button>
+                        onclick={act.reform(|_| Action::AllReadings)}>{ text.all_readings }</button>
                 </p>
             }
             if let Some(reading) = answer.readings.get(*chosen) {
-                { phrases(text, reading, *link, act) }
+                { phrases(text, reading, link, act) }
             }
         </section>
     }

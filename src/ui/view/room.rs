@@ -1,14 +1,13 @@
 //! The room's card: which world is open and what the room is for, the picture, and what goes with that.
 
-use super::controls::Controls;
-use super::edit::{Tools, Worlds};
+use super::controls::controls;
+use super::edit::{tools, worlds};
 use super::sign::{Sign, sign};
-use super::stage::Stage;
-use super::teach::Lesson;
-use crate::ui::document::Draft;
+use super::stage::stage;
+use super::teach::lesson;
 use crate::ui::room::Mode;
 use crate::ui::world::WORLDS;
-use crate::ui::{Action, State, overlay};
+use crate::ui::{Action, State};
 use web_sys::{Event, HtmlSelectElement};
 use yew::{Callback, Html, TargetCast, html};
 
@@ -45,20 +44,12 @@ pub(super) fn room(state: &State, act: &Callback<Action>) -> Html {
                         onclick={act.reform(move |_| Action::SetMode(to))}>{ text.mode_name(to) }</button>
                 }) }
             </div>
-            if mode == Mode::Edit { <Tools room={state.room.clone()} act={act.clone()} /> }
-            <Stage shown={state.shown().clone()} options={overlay::options(state)} {mode}
-                step_ms={state.watch.speed.step_ms()} reduced_motion={state.preferences.reduced_motion}
-                act={act.clone()} />
+            if mode == Mode::Edit { { tools(state, act) } }
+            { stage(state, act) }
             { match mode {
-                Mode::Watch => html! {
-                    <Controls playback={state.watch.playback.clone()} speed={state.watch.speed} act={act.clone()} />
-                },
-                Mode::Edit => html! { <Worlds room={state.room.clone()} act={act.clone()} /> },
-                Mode::Teach => html! {
-                    <Lesson teach={state.teach.clone()} busy={state.is_teaching()}
-                        shows={state.document.draft.as_ref().is_some_and(Draft::shows)}
-                        can_teach={state.document.base.is_some()} act={act.clone()} />
-                },
+                Mode::Watch => controls(state, act),
+                Mode::Edit => worlds(state, act),
+                Mode::Teach => lesson(state, act),
             } }
         </section>
     }

@@ -1,49 +1,43 @@
 //! One command of a corpus: its first demonstration small, and when it is open all of them.
 
 use super::picture::Picture;
-use super::words::use_text;
 use crate::render::{Options, Theme};
 use crate::ui::Action;
+use crate::ui::corpus::Corpus;
 use crate::ui::text::Text;
-use crate::worker::protocol::PairText;
-use std::rc::Rc;
-use yew::{Callback, Html, Properties, classes, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) index: usize,
-    pub(super) command: String,
-    pub(super) task: Option<String>,
-    pub(super) count: usize,
-    pub(super) open: bool,
-    pub(super) pairs: Option<Rc<Vec<PairText>>>,
-    pub(super) theme: Theme,
-    pub(super) act: Callback<Action>,
-}
+use crate::worker::protocol::{PairText, RowSummary};
+use yew::{Callback, Html, classes, html};
 
 /// A row of the corpus.
-#[component]
-pub(super) fn Row(props: &Props) -> Html {
-    let text = use_text();
-    let index = props.index;
-    let pairs = props.pairs.as_deref();
-    let first = pairs.and_then(|p| p.first()).filter(|_| !props.open);
+pub(super) fn row(
+    text: &Text,
+    corpus: &Corpus,
+    index: usize,
+    theme: Theme,
+    act: &Callback<Action>,
+) -> Html {
+    let Some(RowSummary { command, task, pairs: count }) = corpus.report.rows.get(index) else {
+        return Html::default();
+    };
+    let open = corpus.open == Some(index);
+    let pairs = corpus.pairs.get(&index);
+    let first = pairs.and_then(|pairs| pairs.first()).filter(|_| !open);
     html! {
-        <li class={classes!("row", props.open.then_some("open"))} data-testid="row">
-            <button type="button" class="row-head" aria-expanded={props.open.to_string()}
-                onclick={props.act.reform(move |_| Action::ToggleRow(index))}>
+        <li key={index} class={classes!("row", open.then_some("open"))} data-testid="row">
+            <button type="button" class="row-head" aria-expanded={open.to_string()}
+                onclick={act.reform(move |_| Action::ToggleRow(index))}>
                 <span class="row-words">
-                    <span class="row-command">{ &props.command }</span>
-                    <span class="dim">{ (text.demonstrations)(props.count) }
-                        if let Some(task) = &props.task { {" · "}{ task } }
+                    <span class="row-command">{ command }</span>
+                    <span class="dim">{ (text.demonstrations)(*count) }
+                        if let Some(task) = task { {" · "}{ task } }
                     </span>
                 </span>
-                if let Some(pair) = first { { show(text, pair, 1, props.theme) } }
+                if let Some(pair) = first { { show(text, pair, 1, theme) } }
             </button>
-            if props.open {
+            if open {
                 <div class="pairs" data-testid="pairs">
                     if let Some(pairs) = pairs {
-                        { for pairs.iter().zip(1..).map(|(pair, n)| show(text, pair, n, props.theme)) }
+                        { for pairs.iter().zip(1..).map(|(pair, n)| show(text, pair, n, theme)) }
                     } else {
                         <p class="dim">{ text.reading_row }</p>
                     }

@@ -1,23 +1,14 @@
 //! What can happen in the world: how the robot is driven, what it may move, and what is left to chance.
 
-use super::words::use_text;
-use crate::ui::Action;
+use crate::ui::{Action, State};
 use crate::worker::protocol::WorldRules;
 use web_sys::{Event, HtmlInputElement};
-use yew::{Callback, Html, Properties, TargetCast, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) rules: WorldRules,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, TargetCast, html};
 
 /// The rules of the world.
-#[component]
-pub(super) fn Rules(props: &Props) -> Html {
-    let text = use_text();
-    let Props { rules, act } = props;
-    let rules = *rules;
+pub(super) fn rules(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let rules = state.document.rules;
     let switch = |id: &'static str,
                   label: &'static str,
                   on: bool,

@@ -1,22 +1,14 @@
 //! The link that was made, and what was wrong with the one that the page was opened by.
 
 use super::sign::{Sign, sign};
-use super::words::use_text;
-use crate::ui::Action;
 use crate::ui::share::Sharing;
-use yew::{Callback, Html, Properties, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) sharing: Sharing,
-    pub(super) act: Callback<Action>,
-}
+use crate::ui::{Action, State};
+use yew::{Callback, Html, html};
 
 /// What there is to say about sharing.
-#[component]
-pub(super) fn SharePanel(props: &Props) -> Html {
-    let text = use_text();
-    let Props { sharing: Sharing { made, notice }, act } = props;
+pub(super) fn shared(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let Sharing { made, notice } = &state.sharing;
     if made.is_none() && notice.is_none() {
         return Html::default();
     }

@@ -2,29 +2,16 @@
 
 use super::canvas::Canvas;
 use super::cells::Cells;
-use super::words::use_text;
-use crate::domain::{Direction, State};
-use crate::render::Options;
-use crate::ui::Action;
+use crate::domain::Direction;
 use crate::ui::action::Key;
 use crate::ui::room::Mode;
-use yew::{Callback, Html, KeyboardEvent, Properties, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) shown: State,
-    pub(super) options: Options,
-    pub(super) mode: Mode,
-    pub(super) step_ms: u32,
-    pub(super) reduced_motion: bool,
-    pub(super) act: Callback<Action>,
-}
+use crate::ui::{Action, State, overlay};
+use yew::{Callback, Html, KeyboardEvent, html};
 
 /// The room's picture, which takes the keyboard's focus.
-#[component]
-pub(super) fn Stage(props: &Props) -> Html {
-    let text = use_text();
-    let Props { shown, options, mode, step_ms, reduced_motion, act } = props;
+pub(super) fn stage(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let (shown, mode) = (state.shown(), state.room.mode);
     let press = {
         let act = act.clone();
         Callback::from(move |event: KeyboardEvent| {
@@ -41,13 +28,13 @@ pub(super) fn Stage(props: &Props) -> Html {
         <>
             <div class="room-keys" tabindex="0" role="application" aria-label={text.room_keys}
                 aria-describedby="room-help" data-testid="room" onkeydown={press}>
-                <Canvas shown={shown.clone()} options={options.clone()} step_ms={*step_ms}
-                    reduced_motion={*reduced_motion} label={text.world(shown)}
-                    interactive={*mode != Mode::Watch} on_point={act.reform(Action::Point)} />
+                <Canvas shown={shown.clone()} options={overlay::options(state)} step_ms={state.watch.speed.step_ms()}
+                    reduced_motion={state.preferences.reduced_motion} label={text.world(shown)}
+                    interactive={mode != Mode::Watch} on_point={act.reform(Action::Point)} />
             </div>
-            <p id="room-help" class="unseen">{ text.keys_help(*mode) }</p>
+            <p id="room-help" class="unseen">{ text.keys_help(mode) }</p>
             <p class="caption" data-testid="robot-place">{ text.robot(shown) }</p>
-            <Cells shown={shown.clone()} />
+            <Cells shown={shown.clone()} language={state.language} />
         </>
     }
 }

@@ -2,31 +2,23 @@
 //! step, and what its score is made of.
 
 use super::proof::Proof;
-use super::words::use_text;
-use crate::ui::Action;
 use crate::ui::link::{Link, covers};
 use crate::ui::proof;
+use crate::ui::talk::Talk;
 use crate::ui::text::Text;
-use crate::worker::protocol::{Piece, Reading, Study, Word};
+use crate::ui::{Action, State};
+use crate::worker::protocol::{Piece, Study};
 use std::rc::Rc;
-use yew::{Callback, Html, Properties, classes, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) words: Vec<Word>,
-    pub(super) reading: Reading,
-    pub(super) study: Option<Study>,
-    pub(super) link: Option<Link>,
-    pub(super) node: Option<usize>,
-    pub(super) steps: usize,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, classes, html};
 
 /// The study's card.
-#[component]
-pub(super) fn StudyPanel(props: &Props) -> Html {
-    let text = use_text();
-    let Props { words, reading, study, link, node, steps, act } = props;
+pub(super) fn study(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let said = state.document.said.as_ref().filter(|_| state.talk.live.is_none());
+    let Some((said, reading)) = said.zip(state.document.reading()) else { return Html::default() };
+    let Talk { link, node, steps, studies, .. } = &state.talk;
+    let study = studies.as_ref().and_then(|all| all.get(said.chosen));
+    let words = &said.answer.words;
     let chosen = node.filter(|&node| node < reading.nodes.len());
     let chosen = chosen.or(reading.nodes.len().checked_sub(1));
     let spoken: Rc<[String]> = words.iter().map(|word| word.text.clone()).collect();
@@ -49,12 +41,12 @@ pub(super) fn StudyPanel(props: &Props) -> Html {
                 <div>
                     <h3>{ text.formula }</h3>
                     <p class="formula" data-testid="formula">{ pieces(&reading.formula, *link, act) }</p>
-                    { reduction(text, study.as_ref(), chosen, *steps, act) }
+                    { reduction(text, study, chosen, *steps, act) }
                     <h3>{ text.form }</h3>
                     <pre tabindex="0" data-testid="reading-form">{ &reading.form }</pre>
                     <p class="buttons">{ copy("copy-form", text.copy, form, act) }</p>
                 </div>
-                <div>{ score(text, study.as_ref()) }</div>
+                <div>{ score(text, study) }</div>
             </div>
         </section>
     }

@@ -1,27 +1,15 @@
 //! The command box, with commands to try.
 
-use super::notice::Notice;
-use super::words::use_text;
-use crate::ui::Action;
+use super::notice::notice;
 use crate::ui::talk::EXAMPLES;
+use crate::ui::{Action, State};
 use web_sys::{HtmlInputElement, SubmitEvent};
-use yew::{Callback, Html, InputEvent, Properties, TargetCast, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) command: String,
-    pub(super) can_ask: bool,
-    pub(super) asking: bool,
-    pub(super) notice: Option<String>,
-    pub(super) model_notice: Option<String>,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The command box.
-#[component]
-pub(super) fn Talk(props: &Props) -> Html {
-    let text = use_text();
-    let Props { command, can_ask, asking, notice, model_notice, act } = props;
+pub(super) fn command(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let can_ask = state.can_ask();
     let send = act.reform(|event: SubmitEvent| {
         event.prevent_default();
         Action::Ask
@@ -35,9 +23,9 @@ pub(super) fn Talk(props: &Props) -> Html {
             <form class="say" onsubmit={send}>
                 <label class="unseen" for="command">{ text.what_to_do }</label>
                 <input id="command" type="text" lang="en" autocomplete="off" autocapitalize="off"
-                    spellcheck="false" enterkeyhint="send" data-testid="command" value={command.clone()}
+                    spellcheck="false" enterkeyhint="send" data-testid="command" value={state.talk.input.clone()}
                     oninput={typed} aria-describedby="say-hint" placeholder={EXAMPLES[0]} />
-                if *asking {
+                if state.is_asking() {
                     <button type="button" class="primary" data-testid="stop"
                         onclick={act.reform(|_| Action::StopPlanning)}>{ text.stop }</button>
                 } else {
@@ -47,7 +35,7 @@ pub(super) fn Talk(props: &Props) -> Html {
                 }
             </form>
             <div class="chips" id="say-hint">
-                <span class="dim">{ if *can_ask { text.try_this } else { text.getting_ready } }</span>
+                <span class="dim">{ if can_ask { text.try_this } else { text.getting_ready } }</span>
                 { for EXAMPLES.iter().enumerate().map(|(i, example)| html! {
                     <button type="button" class="chip" lang="en" disabled={!can_ask}
                         data-testid={format!("example-{i}")}
@@ -56,8 +44,8 @@ pub(super) fn Talk(props: &Props) -> Html {
                     </button>
                 }) }
             </div>
-            <Notice text={notice.clone()} id="ask-notice" />
-            if let Some(words) = model_notice {
+            { notice(state.talk.notice.as_deref(), "ask-notice") }
+            if let Some(words) = &state.model_notice {
                 <div class="notice" role="alert" data-testid="model-notice">
                     <p>{ words }</p>
                     <p class="buttons">

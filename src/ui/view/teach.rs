@@ -1,29 +1,17 @@
 //! Teaching: what is shown and said, what it added, and the list of what was taught.
 
-use super::notice::Notice;
-use super::words::use_text;
-use crate::ui::Action;
-use crate::ui::document::Taught;
-use crate::ui::teach::Teach;
-use std::rc::Rc;
+use super::notice::notice;
+use crate::ui::document::Draft;
+use crate::ui::{Action, State};
 use web_sys::{HtmlInputElement, SubmitEvent};
-use yew::{Callback, Html, InputEvent, Properties, TargetCast, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) teach: Teach,
-    /// Whether something is shown.
-    pub(super) shows: bool,
-    pub(super) busy: bool,
-    pub(super) can_teach: bool,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The lesson in preparation.
-#[component]
-pub(super) fn Lesson(props: &Props) -> Html {
-    let text = use_text();
-    let Props { teach, shows, busy, can_teach, act } = props;
+pub(super) fn lesson(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let teach = &state.teach;
+    let shows = state.document.draft.as_ref().is_some_and(Draft::shows);
+    let busy = state.is_teaching();
     let send = act.reform(|event: SubmitEvent| {
         event.prevent_default();
         Action::Teach
@@ -45,8 +33,8 @@ pub(super) fn Lesson(props: &Props) -> Html {
                     <form class="say" onsubmit={send}>
                         <input id="lesson" type="text" lang="en" autocomplete="off" autocapitalize="off"
                             spellcheck="false" data-testid="lesson" value={teach.words.clone()} oninput={typed} />
-                        <button type="submit" class="primary" data-testid="teach" disabled={!can_teach || *busy}>
-                            { if *busy { text.learning } else { text.teach } }
+                        <button type="submit" class="primary" data-testid="teach" disabled={state.document.base.is_none() || busy}>
+                            { if busy { text.learning } else { text.teach } }
                         </button>
                     </form>
                 </li>
@@ -54,23 +42,15 @@ pub(super) fn Lesson(props: &Props) -> Html {
             if let Some(missing) = teach.missing {
                 <p class="notice" role="alert" data-testid="missing">{ text.missing(missing) }</p>
             }
-            <Notice text={teach.notice.clone()} id="teach-notice" />
+            { notice(teach.notice.as_deref(), "teach-notice") }
         </div>
     }
 }
 
-#[derive(PartialEq, Properties)]
-pub(super) struct LessonsProps {
-    pub(super) lessons: Rc<Vec<Taught>>,
-    pub(super) teach: Teach,
-    pub(super) act: Callback<Action>,
-}
-
 /// What was taught, and what the last lesson added to the lexicon.
-#[component]
-pub(super) fn Lessons(props: &LessonsProps) -> Html {
-    let text = use_text();
-    let LessonsProps { lessons, teach, act } = props;
+pub(super) fn lessons(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let (lessons, teach) = (&state.document.lessons, &state.teach);
     if lessons.is_empty() {
         return Html::default();
     }

@@ -1,54 +1,43 @@
 //! Training: the button, how far it is, and what came of it.
 
-use super::files::OpenFile;
-use super::notice::Notice;
-use super::words::use_text;
-use crate::ui::Action;
-use crate::ui::document::Model;
+use super::files::open_file;
+use super::notice::notice;
 use crate::ui::text::Text;
-use crate::ui::train::SETTINGS;
+use crate::ui::train::{SETTINGS, Train};
+use crate::ui::{Action, State};
 use crate::worker::protocol::Progress;
-use yew::{Callback, Html, Properties, classes, component, html};
-
-#[derive(PartialEq, Properties)]
-pub(super) struct Props {
-    pub(super) progress: Option<Progress>,
-    pub(super) model: Option<Model>,
-    pub(super) notice: Option<String>,
-    pub(super) training: bool,
-    pub(super) can_train: bool,
-    pub(super) commands: usize,
-    pub(super) act: Callback<Action>,
-}
+use yew::{Callback, Html, classes, html};
 
 /// The training panel. Train and Cancel are one button, so that the keyboard's focus stays.
-#[component]
-pub(super) fn TrainPanel(props: &Props) -> Html {
-    let text = use_text();
-    let Props { progress, model, notice, training, can_train, commands, act } = props;
+pub(super) fn training(state: &State, act: &Callback<Action>) -> Html {
+    let text = state.text();
+    let Train { corpus, progress, notice: own, .. } = &state.train;
+    let model = state.document.model.as_ref();
+    let training = state.is_training();
+    let commands = corpus.as_ref().map_or(0, |corpus| corpus.report.rows.len());
     let (word, id, action) = match training {
         true => (text.cancel, "cancel", Action::CancelTraining),
         false => (text.begin_training, "train", Action::Train),
     };
-    let weight = if *training { "plain" } else { "primary" };
+    let weight = if training { "plain" } else { "primary" };
     html! {
         <section class="card train" aria-labelledby="train-title">
             <div class="card-head">
                 <h2 id="train-title">{ text.training }</h2>
                 <button type="button" class={classes!(weight)} data-testid={id}
-                    disabled={!training && !can_train} onclick={act.reform(move |_| action.clone())}>
+                    disabled={!training && !state.can_train()} onclick={act.reform(move |_| action.clone())}>
                     { word }
                 </button>
             </div>
-            { match (progress, *training) {
+            { match (progress, training) {
                 (Some(progress), _) => bar(text, progress),
                 (None, true) => html! { <p class="dim">{ text.beginning }</p> },
-                (None, false) => html! { <p>{ (text.train_help)(*commands, SETTINGS.epochs) }</p> },
+                (None, false) => html! { <p>{ (text.train_help)(commands, SETTINGS.epochs) }</p> },
             } }
             if let Some(model) = model { <p data-testid="trained">{ (text.model_is)(model) }</p> }
-            <Notice text={notice.clone()} id="model-notice" />
+            { notice(own.as_deref().or(state.model_notice.as_deref()), "model-notice") }
             <div class="files">
-                <OpenFile id="model-file" label={text.open_model} accept=".model,.txt,.json" act={act.clone()} />
+                { open_file("model-file", text.open_model, ".model,.txt,.json", None, act) }
                 if model.is_some() {
                     <button type="button" class="quiet" data-testid="save-model"
                         onclick={act.reform(|_| Action::SaveModel)}>{ text.save_model }</button>
