@@ -1,12 +1,23 @@
-// An engine's worker: loads the program that its address asks for (`engine.js?learner`; otherwise the talker), and says
-// so in the page's own protocol when that fails.
+// An engine's worker. The talker is the page's own program over again, which the page sends along, compiled; the
+// learner (`engine.js?learner`) is loaded from beside. A program that does not start says so in the page's own protocol.
 
-const asked = location.search === "?learner" ? "learner" : "talker";
+const learns = location.search === "?learner";
+
+/** What the page sends first: the address of its script, and its program. */
+const sent = () => new Promise((resolve) => {
+  onmessage = ({ data }) => resolve(data);
+});
 
 try {
-  const { default: start } = await (asked === "learner" ? import("./learner.js") : import("./worker.js"));
-  await start();
+  if (learns) {
+    const { default: start } = await import("./learner.js");
+    await start();
+  } else {
+    const { script, program } = await sent();
+    const { default: start } = await import(script);
+    await start({ module_or_path: program });
+  }
 } catch (error) {
-  const message = `The ${asked} could not be started. ${error}`;
+  const message = `The ${learns ? "learner" : "talker"} could not be started. ${error}`;
   postMessage(JSON.stringify({ groundling: 5, id: 0, body: { crashed: { message } } }));
 }

@@ -1,6 +1,11 @@
-//! The page: mounts the view on the static skeleton. Empty natively.
+//! The page, and the engine that talks: one program, so that what both need is loaded once. In a window it mounts the
+//! view on the static skeleton, in a worker it is the engine. Empty natively.
 
 fn main() {
     #[cfg(target_arch = "wasm32")]
-    groundling::ui::view::mount();
+    if groundling::ui::view::has_page() {
+        groundling::ui::view::mount();
+    } else {
+        groundling::worker::agent::listen::<groundling::worker::Talker>();
+    }
 }

@@ -44,7 +44,7 @@ for (const { what, most, counts } of LIMITS) {
   console.log(`${kb(sum)} of ${kb(most)} brotli  ${what}${sum > most ? ': TOO MUCH' : ''}`);
 }
 // A site without an app is small and wrong.
-const PARTS = [/app.*\.wasm$/, /worker.*\.wasm$/, /learner.*\.wasm$/, /renderer.*\.wasm$/, /\.model$/];
+const PARTS = [/app.*\.wasm$/, /learner.*\.wasm$/, /renderer.*\.wasm$/, /\.model$/];
 for (const part of PARTS) {
   if (!names.some((name) => part.test(name))) {
     failed += 1;

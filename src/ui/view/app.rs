@@ -20,6 +20,11 @@ use crate::ui::{Action, State, reduce};
 use web_sys::DragEvent;
 use yew::{Callback, Component, Context, Html, classes, html};
 
+/// Whether there is a page to mount on: a worker has none.
+pub fn has_page() -> bool {
+    web_sys::window().is_some()
+}
+
 /// Mounts the page in `#app`, in place of the skeleton.
 pub fn mount() {
     host::report_panics();

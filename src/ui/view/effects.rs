@@ -129,6 +129,9 @@ fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
     let worker = Worker::new_with_options(&url.href(), &options)?;
+    if program == Program::Talker {
+        worker.post_message(&own_program()?)?;
+    }
 
     let heard = act.clone();
     let message = Closure::new(move |event: MessageEvent| {
@@ -154,6 +157,17 @@ fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
     });
     worker.set_onerror(Some(error.as_ref().unchecked_ref()));
     Ok(Engine { worker, _message: message, _error: error })
+}
+
+/// This very program, for the engine that talks: loaded and compiled once.
+fn own_program() -> Result<JsValue, JsValue> {
+    let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
+    let link = document.query_selector("link[data-app=script]")?.ok_or("no script")?;
+    let script = beside(&link.get_attribute("href").ok_or("no script")?)?.href();
+    let sent = js_sys::Object::new();
+    js_sys::Reflect::set(&sent, &"script".into(), &script.into())?;
+    js_sys::Reflect::set(&sent, &"program".into(), &wasm_bindgen::module())?;
+    Ok(sent.into())
 }
 
 fn save(name: &str, text: &str) -> Result<(), JsValue> {

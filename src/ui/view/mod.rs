@@ -33,4 +33,4 @@ mod row;
 mod files;
 mod notice;
 
-pub use app::mount;
+pub use app::{has_page, mount};

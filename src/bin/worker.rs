@@ -1,6 +1,0 @@
-//! The page's talker, in a dedicated worker. Empty natively.
-
-fn main() {
-    #[cfg(target_arch = "wasm32")]
-    groundling::worker::agent::listen::<groundling::worker::Talker>();
-}
