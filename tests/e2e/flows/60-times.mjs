@@ -45,6 +45,9 @@ flow('times', async (t) => {
 function answers(page, requests) {
   return page.evaluate(async (bodies) => {
     const engine = new Worker(new URL('engine.js', document.baseURI), { type: 'module' });
+    // The page's own program, as the page sends it.
+    const [script, program] = ['script', 'program'].map((kind) => document.querySelector(`link[data-app=${kind}]`).href);
+    engine.postMessage({ script, program: await WebAssembly.compileStreaming(fetch(program)) });
     const heard = [];
     let wake = () => {};
     engine.onmessage = (event) => { heard.push(JSON.parse(event.data)); wake(); };
