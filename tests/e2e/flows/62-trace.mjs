@@ -1,0 +1,103 @@
+// What the page costs its main thread, by Chromium's own trace: while one types, while it plans, while a plan is
+// played over a value map and arrows. Reported, never asserted. The rasteriser and the GPU's process are other threads
+// and not counted; CPU time is told beside time by the clock, since other programs may be at work.
+
+import { flow } from '../flow.mjs';
+import { openPage } from '../page.mjs';
+
+/** Runs `body` under Chromium's trace; returns the tasks of the page's main thread, and of these what drew a frame. */
+async function traced(page, body) {
+  const browser = page.context().browser();
+  const categories = ['-*', 'devtools.timeline', 'disabled-by-default-devtools.timeline', 'toplevel', '__metadata'];
+  await browser.startTracing(page, { categories });
+  let events;
+  try {
+    await body();
+  } finally {
+    ({ traceEvents: events } = JSON.parse(await browser.stopTracing()));
+  }
+  const isMain = ({ name, args }) => name === 'thread_name' && args.name === 'CrRendererMain';
+  const threads = events.filter(isMain).map(({ pid, tid }) => {
+    const own = events.filter((event) => event.pid === pid && event.tid === tid);
+    const callbacks = own.filter(({ name }) => name === 'FireAnimationFrame').map(({ ts }) => ts);
+    return own.filter(({ name, dur }) => name === 'RunTask' && dur).map(({ ts, dur, tdur }) => ({
+      clock: dur / 1000,
+      cpu: (tdur ?? dur) / 1000,
+      frame: callbacks.some((callback) => ts <= callback && callback < ts + dur),
+    }));
+  });
+  // There may be other renderers; ours is at work.
+  const tasks = threads.sort((one, other) => other.length - one.length)[0];
+  return { tasks, frames: tasks.filter(({ frame }) => frame) };
+}
+
+const cpu = (tasks) => tasks.reduce((all, task) => all + task.cpu, 0);
+
+/** The longest task and those over 50 ms, in words. */
+function told({ tasks }) {
+  const longest = tasks.reduce((a, b) => (a.clock > b.clock ? a : b), { clock: 0, cpu: 0 });
+  const long = tasks.filter(({ cpu }) => cpu > 50).length;
+  return `longest task ${longest.clock.toFixed(1)} ms (CPU ${longest.cpu.toFixed(1)} ms), ${long} over 50 ms`;
+}
+
+/** From now on the page notes how long after each key press the words in the box stand there read. */
+function watchReadings(page) {
+  return page.evaluate(() => {
+    const by = (id) => [...document.querySelectorAll(`[data-testid="${id}"]`)];
+    globalThis.readings = [];
+    globalThis.planned = null;
+    let pressed = null;
+    let sent = null;
+    const own = (word) => [...word.childNodes].find((node) => node.nodeType === Node.TEXT_NODE).data.trim();
+    addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') sent = event.timeStamp; else pressed = event.timeStamp;
+    }, true);
+    new MutationObserver(() => {
+      const read = by('word').map(own).join(' ');
+      if (pressed !== null && read === by('command')[0].value.trim()) {
+        globalThis.readings.push(performance.now() - pressed);
+        pressed = null;
+      }
+      if (sent !== null && by('plan').length > 0) globalThis.planned ??= performance.now() - sent;
+    }).observe(document.body, { subtree: true, childList: true, characterData: true });
+  });
+}
+
+flow('what the page costs its main thread', async (t) => {
+  const demo = await openPage(t);
+  const { page } = demo;
+  await demo.deepen('see');
+  // The browser makes a program faster while it runs: what comes after the first minute is told.
+  await demo.ask('go to the red room');
+  await demo.played();
+  await demo.press('reset-world');
+  await watchReadings(page);
+  await demo.by('command').fill('');
+  await demo.by('command').focus();
+  const typing = await traced(page, () =>
+    page.keyboard.type('put the yellow block in the biggest room', { delay: 80 }));
+  const readings = (await page.evaluate(() => globalThis.readings)).sort((a, b) => a - b);
+  t.check(readings.length > 5, `${readings.length} readings while typing`);
+  const [median, most] = [readings[Math.floor(readings.length / 2)], readings.at(-1)];
+  t.note(`key press to reading: ${median.toFixed(0)} ms (median), ${most.toFixed(0)} ms (longest of ${readings.length})`);
+  t.note(`typing: ${told(typing)}`);
+  const planning = await traced(page, async () => {
+    await page.keyboard.press('Enter');
+    await demo.by('legend').waitFor();
+  });
+  t.note(`Enter to plan: ${(await page.evaluate(() => globalThis.planned)).toFixed(0)} ms`);
+  t.note(`planning: ${told(planning)}`);
+  await demo.press('plan-first');
+  await demo.by('plan-speed').selectOption('1×');
+  const playing = await traced(page, () => page.evaluate(() => new Promise((resolve) => {
+    const plan = document.querySelector('[data-testid="plan"]');
+    document.querySelector('[data-testid="plan-play"]').click();
+    new MutationObserver(() => plan.dataset.at === plan.dataset.steps && plan.dataset.playing === 'false' && resolve())
+      .observe(plan, { attributes: true });
+  })));
+  const { frames } = playing;
+  t.check(frames.length > 0, 'frames were drawn');
+  t.note(`playing with values and arrows: a frame ${(cpu(frames) / frames.length).toFixed(1)} ms of CPU, at most `
+    + `${Math.max(...frames.map((frame) => frame.cpu)).toFixed(1)} ms (${frames.length} frames)`);
+  t.note(`playing: ${cpu(playing.tasks).toFixed(0)} ms of CPU in all; ${told(playing)}`);
+});
