@@ -45,7 +45,7 @@ pub struct Talk {
 }
 
 impl Talk {
-    /// What was studied is of another command now.
+    /// Only what stands in the box is kept: all else is of another command now.
     fn forget(&mut self) {
         let Talk { input, .. } = std::mem::take(self);
         self.input = input;
@@ -101,8 +101,7 @@ pub(super) fn ask(state: &mut State, effects: &mut Vec<Effect>) {
     }
     state.settle();
     state.room.mode = Mode::Watch;
-    let input = std::mem::take(&mut state.talk).input;
-    state.talk.input = input;
+    state.talk.forget();
     let command = state.talk.input.clone();
     request(state, |world, rules| Request::Ask { command, state: world, rules }, effects);
 }

@@ -3,12 +3,12 @@
 
 use super::action::Effect;
 use super::document::Said;
-use super::edit::{self, Look};
+use super::edit::{self, Look, Obstacle};
 use super::link::{self, Link};
 use super::room::{self, Mode};
 use super::state::State;
 use super::{talk, teach};
-use crate::domain::{Lock, Shape};
+use crate::domain::{Lock, Shape, State as World};
 
 use crate::worker::protocol::{
     Answer, Article, Fate, Noun, Phrase, PlanText, Reading, Referent, Refers, WorldRules,
@@ -254,17 +254,14 @@ pub(super) fn help(state: &mut State, help: Help, effects: &mut Vec<Effect>) {
             }
         }
         Help::Teach => {
-            let command = state.heard().map(|answer| answer.command.clone());
+            let command = command(state);
             room::act(state, super::Action::SetMode(Mode::Teach), effects);
-            teach::say(state, command.unwrap_or_default());
+            teach::say(state, command);
             effects.push(Effect::Focus("room"));
         }
         Help::Show(link) => state.talk.link = Some(link),
         Help::Add(look) => {
-            let command = state.heard().map(|answer| answer.command.clone());
-            room::changed_to(state, edit::add_anywhere(state.shown(), look), effects);
-            state.talk.input = command.unwrap_or_default();
-            talk::ask(state, effects);
+            in_another_room(state, edit::add_anywhere(state.shown(), look), effects);
         }
         Help::Edit => {
             room::act(state, super::Action::SetMode(Mode::Edit), effects);
@@ -275,13 +272,22 @@ pub(super) fn help(state: &mut State, help: Help, effects: &mut Vec<Effect>) {
         Help::NoChance => {
             again(state, WorldRules { slip: 0.0, lock: 0.0, loss: 0.0, ..rules }, effects);
         }
-        Help::Unlock => {
-            let command = state.heard().map(|answer| answer.command.clone());
-            let unlocked = edit::unlock(state.shown());
-            room::changed_to(state, Ok(unlocked), effects);
-            state.talk.input = command.unwrap_or_default();
-            talk::ask(state, effects);
-        }
+        Help::Unlock => in_another_room(state, Ok(edit::unlock(state.shown())), effects),
         Help::OtherWorld => room::act(state, super::Action::DrawWorld, effects),
     }
+}
+
+/// The command that the answer shown is to.
+fn command(state: &State) -> String {
+    state.heard().map(|answer| answer.command.clone()).unwrap_or_default()
+}
+
+/// Changes the room, and says the same in it again.
+fn in_another_room(state: &mut State, changed: Result<World, Obstacle>, effects: &mut Vec<Effect>) {
+    let command = command(state);
+    // Not what is being demonstrated.
+    state.room.mode = Mode::Watch;
+    room::changed_to(state, changed, effects);
+    state.talk.input = command;
+    talk::ask(state, effects);
 }
