@@ -1,5 +1,6 @@
 // An engine's worker. The talker is the page's own program over again, which the page sends along, compiled; the
-// learner (`engine.js?learner`) is loaded from beside. A program that does not start says so in the page's own protocol.
+// learner (`engine.js?learner`) is loaded from beside. A program that does not start says so
+// in words, where the page expects bytes.
 
 const learns = location.search === "?learner";
 
@@ -18,6 +19,5 @@ try {
     await start({ module_or_path: program });
   }
 } catch (error) {
-  const message = `The ${learns ? "learner" : "talker"} could not be started. ${error}`;
-  postMessage(JSON.stringify({ groundling: 5, id: 0, body: { crashed: { message } } }));
+  postMessage(`The ${learns ? "learner" : "talker"} could not be started. ${error}`);
 }

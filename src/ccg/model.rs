@@ -196,10 +196,10 @@ impl Model {
                 };
                 self.read_entry(words, constants, template, origin)?;
             }
-            [kind @ ("weight" | "drift"), ref feature @ .., value] => {
-                let value: f64 = value.parse().map_err(|_| format!("{value:?} is no number"))?;
+            [kind @ ("weight" | "drift"), ref feature @ .., text] => {
+                let value: f64 = text.parse().map_err(|_| format!("{text:?} is no number"))?;
                 if !value.is_finite() {
-                    return Err(format!("the {kind} {value} is not finite"));
+                    return Err(format!("the {kind} {text} is not finite"));
                 }
                 let feature = self.read_feature(feature)?;
                 match kind {

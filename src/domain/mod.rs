@@ -10,6 +10,7 @@ pub mod dynamics;
 mod outcomes;
 pub mod generate;
 pub mod blueprint;
+mod quote;
 pub mod text;
 
 pub use blueprint::{Blueprint, BlueprintError, Style};

@@ -2,6 +2,7 @@
 //! Cell coordinates, y grows north; bounds are inclusive, a room's border cells are wall.
 
 use super::name::named;
+use serde::ser::{SerializeStruct, Serializer};
 use serde::{Deserialize, Serialize};
 
 /// One of the four compass directions; `north` is +y, `east` is +x.
@@ -210,7 +211,7 @@ pub struct Door {
 }
 
 /// A movable thing.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Deserialize)]
 pub struct Object {
     /// Unique among objects; identifies it between two states.
     pub name: String,
@@ -219,12 +220,29 @@ pub struct Object {
     /// Its colour.
     pub color: Color,
     /// Its size, where one is given.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub size: Option<Size>,
     /// Column of its cell.
     pub x: i32,
     /// Row of its cell.
     pub y: i32,
+}
+
+impl Serialize for Object {
+    /// A size that is not given is left out where fields have names, as in the corpora's JSON.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let has_size = self.size.is_some() || !serializer.is_human_readable();
+        let mut object = serializer.serialize_struct("Object", 5 + usize::from(has_size))?;
+        object.serialize_field("name", &self.name)?;
+        object.serialize_field("shape", &self.shape)?;
+        object.serialize_field("color", &self.color)?;
+        if has_size {
+            object.serialize_field("size", &self.size)?;
+        }
+        object.serialize_field("x", &self.x)?;
+        object.serialize_field("y", &self.y)?;
+        object.end()
+    }
 }
 
 impl Object {

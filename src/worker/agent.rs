@@ -1,10 +1,10 @@
-//! An engine in its dedicated worker; wasm only. Messages come in as text, the engine is pumped in slices
+//! An engine in its dedicated worker; wasm only. Messages come in as bytes, the engine is pumped in slices
 //! of some milliseconds, and between slices the worker goes back to its event loop, so that a cancel or a
 //! ping is heard while it works.
 
 use super::job::{Engine, Role};
-use super::protocol::{Envelope, Event, Request, VERSION};
-use js_sys::JsString;
+use super::protocol::{Envelope, Event, Request, VERSION, decode, encode};
+use js_sys::{JsString, Uint8Array};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Once;
@@ -63,17 +63,14 @@ impl<R: Role + 'static> Agent<R> {
     }
 
     fn hear(&self, data: &JsValue) {
-        // In NFC, as the core takes it: the signs of JSON compose with nothing.
-        let text = data.dyn_ref::<JsString>().map(|text| text.normalize("NFC"));
-        let text = text.map(String::from).unwrap_or_default();
-        let envelope = match serde_json::from_str::<Envelope<Request>>(&text) {
-            Ok(envelope) if envelope.groundling == VERSION => envelope,
-            Ok(_) => return self.refuse("Page and engine are of different versions."),
+        let bytes = data.dyn_ref::<Uint8Array>().map(Uint8Array::to_vec).unwrap_or_default();
+        let envelope = match decode::<Request>(&bytes) {
+            Ok(envelope) => envelope,
             Err(error) => return self.refuse(&format!("This message is not a request: {error}.")),
         };
         match envelope.body {
             Request::Ping => return post(&self.scope, envelope.id, Event::Pong),
-            request => self.engine.borrow_mut().start(envelope.id, request),
+            request => self.engine.borrow_mut().start(envelope.id, composed(request)),
         }
         self.rouse();
     }
@@ -131,11 +128,21 @@ const fn is_progress(event: &Event) -> bool {
     )
 }
 
+/// A request whose command is in NFC, as the talker takes it.
+fn composed(mut request: Request) -> Request {
+    if let Request::Read { command, .. }
+    | Request::Ask { command, .. }
+    | Request::Explain { command } = &mut request
+    {
+        *command = JsString::from(command.as_str()).normalize("NFC").into();
+    }
+    request
+}
+
 fn post(scope: &DedicatedWorkerGlobalScope, id: u32, body: Event) {
-    let envelope = Envelope { groundling: VERSION, id, body };
-    if let Ok(text) = serde_json::to_string(&envelope) {
+    if let Ok(bytes) = encode(&Envelope { groundling: VERSION, id, body }) {
         // A page that is gone does not listen any more.
-        let _ = scope.post_message(&JsValue::from_str(&text));
+        let _ = scope.post_message(&Uint8Array::from(&bytes[..]));
     }
 }
 

@@ -34,7 +34,7 @@ pub(super) enum PlanError {
     #[error(transparent)]
     Task(#[from] TaskError),
     /// The rules are none.
-    #[error(transparent)]
+    #[error("the {} lies between 0 and 1, as a probability does", .0.name)]
     Rules(#[from] NotAProbability),
 }
 

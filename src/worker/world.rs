@@ -11,17 +11,11 @@ pub(super) fn draw(blueprint: &Blueprint, seed: u32) -> Event {
     }
 }
 
-/// A world from a drawing in characters, or from JSON, which begins with a brace; only a legal one.
+/// A world from a drawing in characters; only a legal one.
 pub(super) fn read(source: &str) -> Event {
-    let state = if source.trim_start().starts_with('{') {
-        let state = serde_json::from_str::<State>(source).map_err(|error| error.to_string());
-        state.and_then(|state| state.check().map(|()| state).map_err(|error| error.to_string()))
-    } else {
-        text::read_legal(source).map_err(|error| error.to_string())
-    };
-    match state {
+    match text::read_legal(source) {
         Ok(state) => Event::World(state),
-        Err(message) => Event::Refused { message },
+        Err(error) => refuse(&error),
     }
 }
 

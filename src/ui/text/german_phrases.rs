@@ -358,6 +358,6 @@ const fn compass(direction: Direction) -> &'static str {
 
 fn capital(words: &str) -> String {
     let mut letters = words.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string());
+    let first = letters.next().map(|first| super::table::capital(first).to_string());
     format!("{}{}", first.unwrap_or_default(), letters.as_str())
 }

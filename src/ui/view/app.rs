@@ -116,7 +116,7 @@ impl Component for App {
 fn talk(state: &State, act: &Callback<Action>) -> Html {
     let watched = state.depth >= Depth::See && state.room.mode == Mode::Watch;
     html! {
-        <main class="columns talk" data-depth={format!("{:?}", state.depth).to_lowercase()}>
+        <main class="columns talk" data-depth={format!("{:?}", state.depth).to_ascii_lowercase()}>
             { shared(state, act) }
             <section class="card command" aria-label={state.text().tell}>
                 { command(state, act) }

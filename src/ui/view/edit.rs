@@ -18,7 +18,7 @@ pub(super) fn tools(state: &State, act: &Callback<Action>) -> Html {
             <div class="switch wrap" role="group" aria-label={text.tools}>
                 { for Tool::ALL.into_iter().map(|tool| html! {
                     <button type="button" aria-pressed={(tool == room.tool).to_string()}
-                        data-testid={format!("tool-{tool:?}").to_lowercase()}
+                        data-testid={format!("tool-{tool:?}").to_ascii_lowercase()}
                         onclick={act.reform(move |_| Action::Take(tool))}>{ text.tool_name(tool) }</button>
                 }) }
             </div>

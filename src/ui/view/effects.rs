@@ -3,8 +3,9 @@
 
 use super::{address, host};
 use crate::ui::{Action, Effect};
-use crate::worker::protocol::{Envelope, Event, Program};
+use crate::worker::protocol::{Program, decode, encode};
 use gloo_timers::callback::Timeout;
+use js_sys::Uint8Array;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
@@ -67,10 +68,9 @@ impl Effects {
                 *self.engine(program) = Some(spawn(program, &self.act)?);
             }
             Effect::Post(program, envelope) => {
-                let text = serde_json::to_string(&envelope)
-                    .map_err(|error| JsValue::from_str(&error.to_string()))?;
+                let bytes = encode(&envelope).map_err(|e| JsValue::from_str(&e.to_string()))?;
                 if let Some(engine) = self.engine(program) {
-                    engine.worker.post_message(&JsValue::from_str(&text))?;
+                    engine.worker.post_message(&Uint8Array::from(&bytes[..]))?;
                 }
             }
             Effect::StartTimer(timer, ms) => {
@@ -135,13 +135,17 @@ fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
 
     let heard = act.clone();
     let message = Closure::new(move |event: MessageEvent| {
-        let text = event.data().as_string().unwrap_or_default();
-        heard.emit(match serde_json::from_str::<Envelope<Event>>(&text) {
-            Ok(envelope) => Action::Heard(program, envelope),
-            Err(error) => Action::EngineBroke(
-                program,
-                format!("The engine sent a message that is none: {error}."),
-            ),
+        let data = event.data();
+        let bytes = data.dyn_ref::<Uint8Array>().map(Uint8Array::to_vec);
+        // The script around the engine has nothing but words, for when there is no engine.
+        let why =
+            || data.as_string().unwrap_or_else(|| "It sent a message that is none.".to_owned());
+        heard.emit(match bytes.map(|bytes| decode(&bytes)) {
+            Some(Ok(envelope)) => Action::Heard(program, envelope),
+            Some(Err(error)) => {
+                Action::EngineBroke(program, format!("A message is wrong: {error}."))
+            }
+            None => Action::EngineBroke(program, why()),
         });
     });
     worker.set_onmessage(Some(message.as_ref().unchecked_ref()));

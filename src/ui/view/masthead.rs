@@ -36,7 +36,7 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
                     <div class="switch" role="group" aria-label={text.depth}>
                         { for Depth::ALL.into_iter().map(|to| html! {
                             <button type="button" aria-pressed={(to == *depth).to_string()}
-                                title={text.depth_help(to)} data-testid={format!("depth-{to:?}").to_lowercase()}
+                                title={text.depth_help(to)} data-testid={format!("depth-{to:?}").to_ascii_lowercase()}
                                 onclick={act.reform(move |_| Action::Deepen(to))}>{ text.depth_name(to) }</button>
                         }) }
                     </div>

@@ -21,7 +21,7 @@ pub(super) fn planner(state: &State, act: &Callback<Action>) -> Html {
             <div class="rules" role="group" aria-label={text.layers}>
                 { for Layer::ALL.into_iter().map(|layer| html! {
                     <label class="check">
-                        <input type="checkbox" checked={watch.shows(layer)} data-testid={format!("layer-{layer:?}").to_lowercase()}
+                        <input type="checkbox" checked={watch.shows(layer)} data-testid={format!("layer-{layer:?}").to_ascii_lowercase()}
                             onchange={act.reform(move |_| Action::ToggleLayer(layer))} />
                         { text.layer_name(layer) }
                     </label>

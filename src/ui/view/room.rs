@@ -40,7 +40,7 @@ pub(super) fn room(state: &State, act: &Callback<Action>) -> Html {
             <div class="switch" role="group" aria-label={text.room_is_for}>
                 { for Mode::ALL.into_iter().map(|to| html! {
                     <button type="button" aria-pressed={(to == mode).to_string()}
-                        data-testid={format!("mode-{to:?}").to_lowercase()}
+                        data-testid={format!("mode-{to:?}").to_ascii_lowercase()}
                         onclick={act.reform(move |_| Action::SetMode(to))}>{ text.mode_name(to) }</button>
                 }) }
             </div>

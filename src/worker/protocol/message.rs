@@ -15,7 +15,7 @@ pub const VERSION: u32 = 5;
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Envelope<T> {
-    /// The protocol's version, [`VERSION`].
+    /// The protocol's version, [`VERSION`]; the first field, by which readers know what follows.
     pub groundling: u32,
     /// Which request this is, or answers; chosen by the page, 0 for what nobody asked for.
     pub id: u32,
@@ -130,7 +130,7 @@ pub enum Request {
         /// The seed of the rest.
         seed: u32,
     },
-    /// Reads a world that is drawn in characters, or its JSON → [`Event::World`].
+    /// Reads a world that is drawn in characters → [`Event::World`].
     ReadWorld {
         /// The text.
         text: String,

@@ -1,11 +1,11 @@
-//! What page and engine say to each other. Every message is one JSON text in an [`Envelope`] that carries
-//! the protocol's version; no id of an arena crosses (invariant 6), only text and plain data. A body is its
-//! kind's name, or `{kind: content}`: a tag inside the content would cost both programs a tenth of their size.
+//! What page and engines say to each other: plain data in an [`Envelope`] that carries the protocol's version. No id of
+//! an arena crosses (invariant 6).
 
 mod learning;
 mod message;
 mod planning;
 mod reading;
+mod wire;
 
 pub use learning::{
     Confused, CorpusReport, CorpusText, Experiment, ExperimentProgress, ExperimentReport, Figures,
@@ -17,6 +17,7 @@ pub use planning::{
     Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
 };
 pub use reading::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Word};
+pub use wire::{WireError, decode, encode};
 
 // What comes from further down and crosses as it is.
 pub use crate::ccg::{EntryText, Explanation, Part};

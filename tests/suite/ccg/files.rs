@@ -193,7 +193,7 @@ fn a_damaged_model_is_refused_by_line() {
         ("entry", "entry\troom\troom:<e,t>\t0\tguessed", "\"guessed\" is neither"),
         ("weight\tskip", "weight\tskip\tNaN", "the weight NaN is not finite"),
         ("weight\tskip", "weight\tskip\tinf", "the weight inf is not finite"),
-        ("weight\tskip", "weight\tskip\t1e999", "the weight inf is not finite"),
+        ("weight\tskip", "weight\tskip\t1e999", "the weight 1e999 is not finite"),
         ("weight\tskip", "weight\tskip\theavy", "\"heavy\" is no number"),
         ("weight\tskip", "weight\t1", "there is no feature"),
         ("weight\tskip", "weight\tjump\t1", "there is no feature"),

@@ -1,4 +1,4 @@
-//! Messages between page and engine: each kind comes back from JSON as it went in, under its own name.
+//! Messages between page and engines: each kind comes back as it went in, and what is cut short is refused.
 
 use super::{corpus, settings, six};
 use groundling::domain::{Blueprint, Color, Direction, Shape, Size};
@@ -9,33 +9,43 @@ use groundling::worker::protocol::{
     Envelope, Event, Experiment, ExperimentProgress, ExperimentReport, Explanation, Fate, Figures,
     Judgement, Lesson, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress, PlanText, Problem,
     Progress, Reading, Referent, Refers, Request, RowSummary, RunPart, RunReport, Runs,
-    SeedLexicon, Study, TaskFigures, TeachReport, TrainReport, VERSION, ValueMap, Why, Word,
-    WorldRules,
+    SeedLexicon, Study, TaskFigures, TeachReport, TrainReport, VERSION, ValueMap, Why, WireError,
+    Word, WorldRules, decode, encode,
 };
 use serde::{Serialize, de::DeserializeOwned};
+use std::collections::HashSet;
 use std::fmt::Debug;
+use std::mem::{Discriminant, discriminant};
 
-/// Sends each message through JSON; its kind must be what `name` says.
+/// Sends each message over the wire; there must be so many kinds of them.
 #[track_caller]
 fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
     messages: &[T],
     kinds: usize,
-    name: impl Fn(&T) -> &'static str,
 ) {
-    let mut seen: Vec<&str> = messages.iter().map(&name).collect();
-    seen.dedup();
-    assert_eq!(seen.len(), kinds, "a message of every kind: {seen:?}");
+    let seen: HashSet<Discriminant<T>> = messages.iter().map(discriminant).collect();
+    assert_eq!(seen.len(), kinds, "a message of every kind");
     for (id, body) in (1..).zip(messages.iter().cloned()) {
-        let kind = name(&body);
         let envelope = Envelope { groundling: VERSION, id, body };
-        let text = serde_json::to_string(&envelope).unwrap();
-        let value: serde_json::Value = serde_json::from_str(&text).unwrap();
-        let body = &value["body"];
-        let key = body.as_object().and_then(|object| object.keys().next()).map(String::as_str);
-        assert_eq!(body.as_str().or(key), Some(kind), "{text}");
-        assert_eq!(value["groundling"], VERSION);
-        assert_eq!(serde_json::from_str::<Envelope<T>>(&text).unwrap(), envelope, "{text}");
+        let bytes = encode(&envelope).unwrap();
+        assert_eq!(decode::<T>(&bytes).as_ref(), Ok(&envelope));
+        // Whatever is cut off is missed, and never a panic.
+        for length in 0..bytes.len() {
+            assert_eq!(decode::<T>(&bytes[..length]), Err(WireError::Malformed), "{envelope:?}");
+        }
     }
+}
+
+#[test]
+fn another_version_is_refused_whatever_follows() {
+    for version in [0, VERSION - 1, VERSION + 1, u32::MAX] {
+        let envelope = Envelope { groundling: version, id: 1, body: Request::Ping };
+        let bytes = encode(&envelope).unwrap();
+        assert_eq!(decode::<Request>(&bytes), Err(WireError::Version));
+        assert_eq!(decode::<Event>(&bytes[..bytes.len() - 1]), Err(WireError::Version));
+    }
+    assert_eq!(decode::<Request>(&[]), Err(WireError::Malformed));
+    assert_eq!(decode::<Request>(&[0xff; 64]), Err(WireError::Malformed));
 }
 
 /// A request of every kind, some more than once.
@@ -77,30 +87,12 @@ pub(super) fn requests() -> Vec<Request> {
 }
 
 #[test]
-fn requests_come_back_from_json() {
-    come_back(&requests(), 17, |request| match request {
-        Request::ReadCorpus { .. } => "read_corpus",
-        Request::ShowRow { .. } => "show_row",
-        Request::Train { .. } => "train",
-        Request::Teach { .. } => "teach",
-        Request::Explain { .. } => "explain",
-        Request::Draw { .. } => "draw",
-        Request::ReadWorld { .. } => "read_world",
-        Request::WriteWorld { .. } => "write_world",
-        Request::OpenModel { .. } => "open_model",
-        Request::Read { .. } => "read",
-        Request::Ask { .. } => "ask",
-        Request::Plan { .. } => "plan",
-        Request::Values { .. } => "values",
-        Request::RollOut { .. } => "roll_out",
-        Request::Experiment { .. } => "experiment",
-        Request::Cancel => "cancel",
-        Request::Ping => "ping",
-    });
+fn requests_come_back_from_the_wire() {
+    come_back(&requests(), 17);
 }
 
 #[test]
-fn events_come_back_from_json() {
+fn events_come_back_from_the_wire() {
     let pair = six()[0].pairs[0].clone();
     let states = vec![pair.pre.clone(), pair.post.clone()];
     let world = pair.pre.clone();
@@ -289,28 +281,5 @@ fn events_come_back_from_json() {
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
     ];
-    come_back(&messages, 22, |event| match event {
-        Event::Ready => "ready",
-        Event::Pong => "pong",
-        Event::Crashed { .. } => "crashed",
-        Event::Corpus(_) => "corpus",
-        Event::Row { .. } => "row",
-        Event::Progress(_) => "progress",
-        Event::Experimenting(_) => "experimenting",
-        Event::Experimented { .. } => "experimented",
-        Event::Trained(_) => "trained",
-        Event::Opened(_) => "opened",
-        Event::World(_) => "world",
-        Event::WorldText { .. } => "world_text",
-        Event::Taught(_) => "taught",
-        Event::Explained(_) => "explained",
-        Event::Answer(_) => "answer",
-        Event::Planning(_) => "planning",
-        Event::Planned(_) => "planned",
-        Event::Values(_) => "values",
-        Event::RollingOut(_) => "rolling_out",
-        Event::RolledOut(_) => "rolled_out",
-        Event::Refused { .. } => "refused",
-        Event::Cancelled => "cancelled",
-    });
+    come_back(&messages, 22);
 }

@@ -160,7 +160,7 @@ fn what_cannot_be_planned_or_asked_is_refused_in_words() {
     for (form, rules, words) in [
         ("nonsense", SURE, "column"),
         ("red:<e,t>", SURE, "a goal has type t"),
-        (IN_BLUE, WorldRules { slip: 1.5, ..SURE }, "slip_probability: 1.5 is no probability"),
+        (IN_BLUE, WorldRules { slip: 1.5, ..SURE }, "the slip_probability lies between 0 and 1"),
         (IN_BLUE, WorldRules { loss: f64::NAN, ..SURE }, "loss_probability"),
     ] {
         let said = refused(&mut engine, request(form, rules));
