@@ -27,8 +27,7 @@ flow('a page that panics says so, once, and starts again', async (t) => {
 flow('an engine that panics says so, and goes on with what was loaded', async (t) => {
   const demo = await openPage(t);
   const said = 'panicked at src/ccg/chart.rs: an invented reason';
-  await demo.page.evaluate((message) => {
-    const data = JSON.stringify({ groundling: 5, id: 0, body: { crashed: { message } } });
+  await demo.page.evaluate((data) => {
     globalThis.flowWorkers[0].dispatchEvent(new MessageEvent('message', { data }));
   }, said);
   await demo.by('engine-stopped').waitFor();
