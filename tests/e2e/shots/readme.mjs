@@ -1,15 +1,47 @@
-// The README's picture, taken of the real page. Run by `make shots`.
+// The README's pictures, taken of the real page. Run by `make shots`.
 
 import path from 'node:path';
 import { flow } from '../flow.mjs';
 import { root } from '../packages.mjs';
-import { openTrain } from '../page.mjs';
+import { openPage } from '../page.mjs';
 
-flow('the page after “go to the blue room”', { viewport: { width: 1180, height: 900 } }, async (t) => {
-  const demo = await openTrain(t);
-  await demo.train();
-  await demo.ask('go to the blue room');
-  await demo.played();
-  await demo.page.evaluate(() => scrollTo(0, 0));
-  await demo.page.screenshot({ path: path.join(root, 'www/guide/page.png') });
+const COMMAND = 'put the yellow block in the biggest room';
+
+/** Where the README's pictures lie. */
+const file = (name) => path.join(root, `www/guide/${name}.png`);
+
+/** Goes to a step of the plan, with nothing pointed at, and waits until the page has come to rest. */
+async function seek(demo, step) {
+  await demo.by('plan-scrub').fill(`${step}`);
+  await demo.t.until('it stands still', async () =>
+    (await demo.by('stage').getAttribute('data-still')) === 'true');
+  await demo.page.mouse.move(0, 0);
+  await demo.page.evaluate(() => { document.activeElement.blur(); scrollTo(0, 0); });
+  await demo.page.waitForTimeout(1000);
+}
+
+flow('say', { viewport: { width: 1280, height: 800 } }, async (t) => {
+  const demo = await openPage(t);
+  await demo.ask(COMMAND);
+  await seek(demo, 5);
+  await demo.page.screenshot({ path: file('page') });
+});
+
+flow('study, in the dark', { viewport: { width: 1280, height: 1000 }, colorScheme: 'dark' }, async (t) => {
+  const demo = await openPage(t);
+  await demo.deepen('study');
+  await demo.ask('take the block to the green room');
+  await demo.by('legend').waitFor();
+  await demo.by('features').waitFor();
+  await demo.press('reduce-all');
+  await seek(demo, 3);
+  await demo.page.screenshot({ path: file('page-values') });
+  await demo.by('study').screenshot({ path: file('page-study') });
+});
+
+flow('a phone', { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true }, async (t) => {
+  const demo = await openPage(t);
+  await demo.ask(COMMAND);
+  await seek(demo, 5);
+  await demo.page.screenshot({ path: file('page-phone') });
 });
