@@ -125,6 +125,15 @@ export class Demo {
     return Number(await plan.getAttribute('data-steps'));
   }
 
+  /** Goes to the plan's end at once; returns its number of steps. */
+  async finish() {
+    const plan = this.by('plan');
+    const steps = await plan.getAttribute('data-steps');
+    await this.by('plan-scrub').fill(steps);
+    await this.t.until('the plan’s end', async () => (await plan.getAttribute('data-at')) === steps);
+    return Number(steps);
+  }
+
   /** What a screen reader was told last. */
   said() {
     return this.by('announcement').textContent();

@@ -73,7 +73,7 @@ flow('a model taught before outlives a bad file, dropped this time', async (t) =
   t.check((await demo.model()) === model, 'the model is as it was');
   await demo.talk();
   await demo.ask('go to the blue room');
-  await demo.played();
+  await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'and it still answers');
 });
 

@@ -29,7 +29,7 @@ flow('commands that come to nothing', async (t) => {
     await t.fits(what);
   }
   await demo.ask('go to the blue room');
-  await demo.played();
+  await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'the next command works');
 });
 

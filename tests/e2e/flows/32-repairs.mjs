@@ -12,7 +12,7 @@ flow('a thing that is not there is put there, and then told from another', async
   t.equal(await demo.why(), ['no_referent'], 'why');
   await demo.help('add', 'red block').click();
   await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
-  await demo.played();
+  await demo.finish();
   t.check(/red block in the green room/.test(await demo.world()), await demo.world());
   await demo.ask('go to the block');
   t.check(/2 things[^]*the yellow block and the red block/.test(await demo.by('why').textContent()), 'both are named');
@@ -29,7 +29,7 @@ flow('a word never seen is taken for one that is known, or taught', async (t) =>
   await demo.ask('go to the blu room');
   await demo.help('say', '“blue”').click();
   await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
-  await demo.played();
+  await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
   await demo.ask('fetch my slippers');
   await demo.help('teach').click();
@@ -53,7 +53,7 @@ flow('what is out of reach: doors are opened, the robot may pull, other things m
     t.equal(await demo.why(), ['unreachable'], `why not “${command}”`);
     await demo.help(help).click();
     await t.until(`a plan after ${help}`, async () => (await demo.by('plan').count()) > 0);
-    await demo.played();
+    await demo.finish();
     t.check(goal.test(await demo.world()), `after ${help}: ${await demo.world()}`);
   };
   await demo.by('world').selectOption({ index: LOCKED });

@@ -8,13 +8,13 @@ flow('another reading is chosen, played, and taken back', async (t) => {
   const demo = await openPage(t);
   await demo.deepen('see');
   await demo.ask('take the block to the green room');
-  await demo.played();
+  await demo.finish();
   t.check((await demo.by('reading').count()) > 2, 'several readings');
   t.equal(await demo.plain(), 'The block is in the green room.', 'the first');
   await demo.by('reading').nth(1).click();
   await t.until('it is planned for', async () => (await demo.plain()) === 'The robot is next to the block.');
   t.check(/less; differs in/.test(await demo.by('reading').nth(1).textContent()), 'what tells it from the first');
-  await demo.played();
+  await demo.finish();
   t.check(/yellow block in the red room/.test(await demo.world()), 'the block stays');
   await demo.press('undo');
   t.equal(await demo.plain(), 'The block is in the green room.', 'taken back');
@@ -44,7 +44,7 @@ flow('with doors that may lock, the policy is tried many times', async (t) => {
   await demo.deepen('see');
   await demo.by('rule-slip').fill('0.3');
   await demo.ask('go to the blue room');
-  await demo.played();
+  await demo.finish();
   await demo.press('try-many');
   await t.until('all runs', async () => (await demo.by('runs').getAttribute('data-runs')) === '500');
   t.check(/of 500 runs got there/.test(await demo.by('runs').textContent()), 'in words');

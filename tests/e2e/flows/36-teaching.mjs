@@ -21,10 +21,10 @@ flow('a phrase is taught by dragging, used, saved and forgotten', async (t) => {
   t.equal((await demo.robot()).room, 'green', 'the room is as it was');
   await demo.press('ask');
   await demo.answered('the lesson');
-  await demo.played();
+  await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'the lesson is done');
   await demo.ask('scurry to the red room');
-  await demo.played();
+  await demo.finish();
   t.equal((await demo.robot()).room, 'red', 'and what was never shown');
   await t.accessible('a lesson');
   await t.shot('taught');
@@ -60,6 +60,6 @@ flow('a phrase is taught with the arrow keys', async (t) => {
   await demo.by('lesson').press('Enter');
   await demo.by('learned').waitFor();
   await demo.ask('hop over to the blue room');
-  await demo.played();
+  await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'what was never shown');
 });

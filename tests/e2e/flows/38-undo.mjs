@@ -10,10 +10,10 @@ flow('everything is undone to the first view, and done again', async (t) => {
   await demo.deepen('see');
   const first = await signature();
   await demo.ask('go to the red room');
-  await demo.played();
+  await demo.finish();
   await demo.by('rule-pull').check();
   await t.until('planned again', async () => (await demo.by('plan').count()) > 0);
-  await demo.played();
+  await demo.finish();
   await demo.mode('edit');
   await demo.drag([8, 6], [2, 6]);
   await demo.mode('teach');
@@ -22,7 +22,7 @@ flow('everything is undone to the first view, and done again', async (t) => {
   await demo.press('teach');
   await demo.by('learned').waitFor();
   await demo.ask('schlep the block to the green room');
-  await demo.played();
+  await demo.finish();
 
   const walk = async (button) => {
     const seen = [await signature()];
@@ -42,6 +42,6 @@ flow('everything is undone to the first view, and done again', async (t) => {
   t.equal(forth.at(-1)[3], ['schlep the block to the green room'], 'the lesson is back');
   t.equal(forth.slice(1, -1), back.toReversed().slice(1, -1), 'the same way forth');
   await demo.ask('schlep the block to the red room');
-  await demo.played();
+  await demo.finish();
   t.check(/block in the red room/.test(await demo.world()), 'what was taught works still');
 });

@@ -16,7 +16,7 @@ async function busy(t) {
   await demo.ask('take the block to the green room');
   await demo.by('reading').nth(1).click();
   await t.until('it is planned for', async () => (await demo.plain()) === 'The robot is next to the block.');
-  await demo.played();
+  await demo.finish();
   await demo.press('share');
   await demo.by('shared').waitFor();
   return demo;
@@ -32,7 +32,7 @@ async function seen(demo) {
 async function same(t, demo, other) {
   const wanted = await seen(demo);
   await t.until('the second reading', async () => (await other.plain()) === wanted.plain);
-  await other.played();
+  await other.finish();
   t.equal(await seen(other), wanted, 'what came over');
 }
 

@@ -51,7 +51,7 @@ flow('the engine is killed while it plans, and started again', async (t) => {
   t.equal(await demo.by('engine-stopped').count(), 0, 'messages');
   await demo.press('ask');
   await demo.answered('the command');
-  await demo.played();
+  await demo.finish();
   t.check(/yellow block in the blue room/.test(await demo.world()), 'and it is done');
   await demo.press('undo');
   t.equal(await demo.world(), world, 'the command is undone');

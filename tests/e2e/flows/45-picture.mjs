@@ -5,6 +5,9 @@ import { flow } from '../flow.mjs';
 import { colours } from '../golden.mjs';
 import { openPage } from '../page.mjs';
 
+/** Things glide from step to step. */
+const GLIDING = { reducedMotion: 'no-preference' };
+
 /** Waits until the stage is drawn this way. */
 async function drawnBy(demo, backend) {
   await demo.t.until(`drawn by ${backend}`, async () =>
@@ -56,13 +59,13 @@ for (const ratio of [1, 1.5, 3]) {
   });
 }
 
-flow('steps glide', async (t) => {
+flow('steps glide', GLIDING, async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
   t.check((await stillness(demo)).includes('false'), 'the picture moves between steps');
 });
 
-flow('steps jump for who prefers less motion', { reducedMotion: 'reduce' }, async (t) => {
+flow('steps jump for who prefers less motion', async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
   const seen = await stillness(demo);
@@ -82,7 +85,7 @@ async function stillness(demo) {
   return demo.page.evaluate(() => globalThis.seen);
 }
 
-flow('a GPU that goes away while the robot moves is replaced, and in the end done without', async (t) => {
+flow('a GPU that goes away while the robot moves is replaced, and in the end done without', GLIDING, async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
   t.expect(/WebGL|CONTEXT_LOST|context/i);

@@ -7,7 +7,7 @@ import { openPage } from '../page.mjs';
 for (const [name, settings] of [
   ['390', { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2 }],
   ['1600', { viewport: { width: 1600, height: 1000 } }],
-  ['dark', { colorScheme: 'dark', reducedMotion: 'reduce' }],
+  ['dark', { colorScheme: 'dark' }],
 ]) {
   flow(`every view at its sizes and colours: ${name}`, settings, async (t) => {
     const demo = await openPage(t);
@@ -18,7 +18,7 @@ for (const [name, settings] of [
     };
     await look('first');
     await demo.ask('put the yellow block in the biggest room');
-    await demo.played();
+    await demo.finish();
     await look('say');
     await demo.deepen('see');
     await demo.press('plan-first');

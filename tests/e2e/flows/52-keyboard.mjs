@@ -13,7 +13,7 @@ flow('the keyboard alone asks, plays and steps', async (t) => {
   await keyboard.type('go to the blue room');
   await keyboard.press('Enter');
   await demo.by('plan').waitFor();
-  await demo.played();
+  await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
   await demo.reach('plan-first');
   await keyboard.press('Enter');
@@ -24,7 +24,7 @@ flow('the page speaks German where the browser does', { locale: 'de-DE' }, async
   const demo = await openPage(t);
   t.equal(await demo.page.locator('html').getAttribute('lang'), 'de', 'the language');
   await demo.ask('go to the blue room');
-  await demo.played();
+  await demo.finish();
   t.equal(await demo.plain(), 'Der Roboter ist im blauen Raum.', 'in plain words');
   await t.accessible('the page in German');
   await t.fits('the page in German');

@@ -31,7 +31,7 @@ flow('times', async (t) => {
     return [performance.getEntriesByType('navigation')[0].duration,
       resources.reduce((sum, entry) => sum + entry.decodedBodySize, 0)];
   });
-  t.note(`the page: ${loaded.toFixed(0)} ms, ${(bytes / 1e6).toFixed(1)} MB before compression, renderer and model included`);
+  t.note(`the page: ${loaded.toFixed(0)} ms, ${(bytes / 1e6).toFixed(1)} MB before compression so far`);
   await demo.by('command').fill('go to the blue room');
   // The page comes to rest before it is asked.
   await new Promise((resolve) => setTimeout(resolve, 1000));

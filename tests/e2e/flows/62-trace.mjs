@@ -63,7 +63,7 @@ function watchReadings(page) {
   });
 }
 
-flow('what the page costs its main thread', async (t) => {
+flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, async (t) => {
   const demo = await openPage(t);
   const { page } = demo;
   await demo.deepen('see');

@@ -23,7 +23,7 @@ flow('the page works offline after one visit', { serviceWorkers: 'allow' }, asyn
   await demo.page.reload();
   await demo.ready();
   await demo.ask('go to the blue room');
-  await demo.played();
+  await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
   await t.until('the picture is drawn by the GPU', async () =>
     (await demo.by('stage').getAttribute('data-backend')) === 'webgl2');
@@ -32,6 +32,8 @@ flow('the page works offline after one visit', { serviceWorkers: 'allow' }, asyn
 });
 
 flow('a new site takes the place of the one that was kept', { serviceWorkers: 'allow' }, async (t) => {
+  // What was under way when the page was loaded anew.
+  t.expect(/ERR_ABORTED/);
   const folder = await mkdtemp(path.join(os.tmpdir(), 'groundling-'));
   await cp(built, folder, { recursive: true });
   const site = await serve(folder, { under: '/below/' });
