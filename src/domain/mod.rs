@@ -10,7 +10,6 @@ pub mod dynamics;
 mod outcomes;
 pub mod generate;
 pub mod blueprint;
-mod quote;
 pub mod text;
 
 pub use blueprint::{Blueprint, BlueprintError, Style};

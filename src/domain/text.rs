@@ -16,7 +16,6 @@
 //! that is printed reads back the same.
 
 use super::object::{Agent, Bounds, Direction, Door, Object, Room, Size};
-use super::quote::{quoted, unquoted};
 use super::state::{MAX_SIDE, State, StateError};
 use std::collections::BTreeMap;
 use std::str::FromStr;
@@ -112,8 +111,7 @@ impl<'a> Words<'a> {
         }
         let name = std::mem::take(&mut self.rest).trim();
         if name.starts_with('"') {
-            return unquoted(name)
-                .ok_or_else(|| self.error("a quoted name ends badly here".into()));
+            return serde_json::from_str(name).map_err(|e| self.error(format!("a name: {e}")));
         }
         if name.is_empty() {
             Err(self.error("a name is missing here".into()))
@@ -465,6 +463,6 @@ fn called(name: &str, otherwise: &str) -> String {
     match (name == otherwise, is_plain) {
         (true, _) => String::new(),
         (false, true) => format!(" as {name}"),
-        (false, false) => format!(" as {}", quoted(name)),
+        (false, false) => format!(" as {}", serde_json::to_string(name).unwrap_or_default()),
     }
 }

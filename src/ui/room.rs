@@ -159,25 +159,11 @@ pub(super) fn act(state: &mut State, action: Action, effects: &mut Vec<Effect>) 
         Action::TypedText(text) => state.room.text = Some(text),
         Action::ApplyText => {
             if let Some(text) = state.room.text.clone() {
-                match text.trim_start().starts_with('{').then(|| from_json(&text)) {
-                    Some(Ok(world)) => {
-                        open(state, world, None, effects);
-                        state.room.text = None;
-                    }
-                    Some(Err(message)) => state.room.notice = Some(message),
-                    None => state.talker.send(Request::ReadWorld { text }, true, effects),
-                }
+                state.talker.send(Request::ReadWorld { text }, true, effects);
             }
         }
         _ => {}
     }
-}
-
-/// A world from JSON, as the corpora have it. Drawings are read by the talker, which knows no JSON.
-fn from_json(text: &str) -> Result<World, String> {
-    let world: World = serde_json::from_str(text).map_err(|error| error.to_string())?;
-    world.check().map_err(|error| error.to_string())?;
-    Ok(world)
 }
 
 /// Opens another world.

@@ -11,11 +11,16 @@ pub(super) fn draw(blueprint: &Blueprint, seed: u32) -> Event {
     }
 }
 
-/// A world from a drawing in characters; only a legal one.
+/// A world from a drawing in characters, or from JSON, which begins with a brace; only a legal one.
 pub(super) fn read(source: &str) -> Event {
-    match text::read_legal(source) {
+    let state = if source.trim_start().starts_with('{') {
+        State::read(source).map_err(|error| error.to_string())
+    } else {
+        text::read_legal(source).map_err(|error| error.to_string())
+    };
+    match state {
         Ok(state) => Event::World(state),
-        Err(error) => refuse(&error),
+        Err(message) => Event::Refused { message },
     }
 }
 

@@ -130,7 +130,7 @@ pub enum Request {
         /// The seed of the rest.
         seed: u32,
     },
-    /// Reads a world that is drawn in characters → [`Event::World`].
+    /// Reads a world that is drawn in characters, or its JSON → [`Event::World`].
     ReadWorld {
         /// The text.
         text: String,
