@@ -125,13 +125,20 @@ export class Demo {
     return Number(await plan.getAttribute('data-steps'));
   }
 
+  /** Goes to a step of the plan and stops there. */
+  async seek(step) {
+    await this.by('plan-scrub').fill(`${step}`);
+    await this.t.until(`step ${step}`, async () => {
+      const [at, playing] = await Promise.all(['at', 'playing'].map((name) => this.by('plan').getAttribute(`data-${name}`)));
+      return at === `${step}` && playing === 'false';
+    });
+  }
+
   /** Goes to the plan's end at once; returns its number of steps. */
   async finish() {
-    const plan = this.by('plan');
-    const steps = await plan.getAttribute('data-steps');
-    await this.by('plan-scrub').fill(steps);
-    await this.t.until('the plan’s end', async () => (await plan.getAttribute('data-at')) === steps);
-    return Number(steps);
+    const steps = Number(await this.by('plan').getAttribute('data-steps'));
+    await this.seek(steps);
+    return steps;
   }
 
   /** What a screen reader was told last. */

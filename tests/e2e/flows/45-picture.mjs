@@ -33,8 +33,7 @@ flow('the picture is the golden one at the start, with values and policy, and wh
   await t.golden('start', stage);
   await demo.deepen('see');
   await demo.ask('put the yellow block in the biggest room');
-  await demo.press('plan-play');
-  await demo.press('plan-first');
+  await demo.seek(0);
   await t.until('the values', async () => (await demo.by('legend').count()) > 0);
   await demo.page.mouse.move(0, 0);
   await t.golden('values', stage);

@@ -21,7 +21,7 @@ for (const [name, settings] of [
     await demo.finish();
     await look('say');
     await demo.deepen('see');
-    await demo.press('plan-first');
+    await demo.seek(0);
     await t.until('the values', async () => (await demo.by('legend').count()) > 0);
     await look('see');
     await demo.deepen('study');

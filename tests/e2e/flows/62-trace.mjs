@@ -87,7 +87,7 @@ flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, 
   });
   t.note(`Enter to plan: ${(await page.evaluate(() => globalThis.planned)).toFixed(0)} ms`);
   t.note(`planning: ${told(planning)}`);
-  await demo.press('plan-first');
+  await demo.seek(0);
   await demo.by('plan-speed').selectOption('1×');
   const playing = await traced(page, () => page.evaluate(() => new Promise((resolve) => {
     const plan = document.querySelector('[data-testid="plan"]');
