@@ -8,6 +8,18 @@
 //!
 //! Modules stand in reading order, which is the way of the data; imports go one way only
 //! (`tests/suite/tidy.rs` holds both).
+//!
+//! What holds throughout, each with its tests:
+//!
+//! 1. Equal term ids are α-equivalent, β-normal terms with conjuncts in one order; printing and reading is the identity.
+//! 2. The core (all but `*/gpu`, `*/agent`, `*/link`, `ui/view` and `bin`) has no clock, no randomness of its own, no
+//!    threads, no printing and no browser: callers pass seeds, times and budgets.
+//! 3. The same corpus, settings and seed give the same model, byte for byte, natively and in the browser.
+//! 4. `the` and `argmax` are resolved only in `ground`, in the initial state.
+//! 5. Learning never plans, but for the planning validator that Table III compares with.
+//! 6. Ids never leave the owner of their arena; between programs and in files go text and plain data, with a version.
+//! 7. Bad input is no error of the program: it is answered with its place and a remedy, and nothing is lost.
+//! 8. Long work goes in bounded steps, so that a cancel and a look at how far it is are answered at once.
 
 pub mod logic;
 pub mod ccg;
