@@ -113,6 +113,11 @@ impl Document {
         self.said = None;
     }
 
+    /// What it was taught, as lessons to teach again.
+    pub fn taught(&self) -> Vec<Lesson> {
+        self.lessons.iter().map(|taught| taught.lesson.clone()).collect()
+    }
+
     /// The reading that was chosen.
     pub fn reading(&self) -> Option<&Reading> {
         let said = self.said.as_ref()?;

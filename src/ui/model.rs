@@ -87,7 +87,7 @@ pub(super) fn opened(
 
 /// What was taught before is taught to the new model, too; whether there is anything.
 fn learn_again(state: &mut State, effects: &mut Vec<Effect>) -> bool {
-    let lessons: Vec<_> = state.document.lessons.iter().map(|t| t.lesson.clone()).collect();
+    let lessons = state.document.taught();
     let any = !lessons.is_empty();
     if any {
         teach::learn(state, lessons, effects);

@@ -89,7 +89,7 @@ pub struct Resume {
 impl Session {
     /// The session of a page; `whole` takes the model along.
     pub fn of(state: &State, whole: bool) -> Session {
-        let Document { said, base, rules, world, lessons, .. } = &state.document;
+        let Document { said, base, rules, world, .. } = &state.document;
         let chosen = said.as_ref().filter(|said| said.chosen > 0);
         let form =
             chosen.and_then(|said| Some(said.answer.readings.get(said.chosen)?.form.clone()));
@@ -101,7 +101,7 @@ impl Session {
             command: said.as_ref().map(|said| said.answer.command.clone()),
             form,
             depth: state.depth,
-            lessons: lessons.iter().map(|taught| taught.lesson.clone()).collect(),
+            lessons: state.document.taught(),
             model: own.filter(|_| whole).map(|model| model.report.model.clone()),
         }
     }

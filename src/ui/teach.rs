@@ -46,7 +46,7 @@ pub(super) fn act(state: &mut State, action: Action, effects: &mut Vec<Effect>) 
             state.say(words);
         }
         Action::Unteach(place) if place < state.document.lessons.len() => {
-            let mut lessons = lessons(state);
+            let mut lessons = state.document.taught();
             lessons.remove(place);
             learn(state, lessons, effects);
         }
@@ -101,13 +101,9 @@ fn teach(state: &mut State, effects: &mut Vec<Effect>) {
         return state.say(words);
     }
     let Some(draft) = draft else { return };
-    let mut all = lessons(state);
+    let mut all = state.document.taught();
     all.push(draft.lesson(state.teach.words.trim().to_owned()));
     learn(state, all, effects);
-}
-
-fn lessons(state: &State) -> Vec<Lesson> {
-    state.document.lessons.iter().map(|taught| taught.lesson.clone()).collect()
 }
 
 /// Teaches the model before any lesson exactly these.
