@@ -22,19 +22,23 @@ pub(super) fn study(state: &State, act: &Callback<Action>) -> Html {
     let chosen = node.filter(|&node| node < reading.nodes.len());
     let chosen = chosen.or(reading.nodes.len().checked_sub(1));
     let spoken: Rc<[String]> = words.iter().map(|word| word.text.clone()).collect();
-    let drawing = proof::svg(&proof::Proof::new(&spoken, &reading.nodes));
-    let plain = reading.derivation.clone();
-    let form = reading.form.clone();
+    let nodes: Rc<[_]> = reading.nodes.clone().into();
+    let (plain, form) = (reading.derivation.clone(), reading.form.clone());
+    // Drawn when it is wanted: the page is shown again at every step of a plan.
+    let drawing = {
+        let (spoken, nodes) = (spoken.clone(), nodes.clone());
+        move || proof::svg(&proof::Proof::new(&spoken, &nodes))
+    };
     html! {
         <section class="card study" aria-labelledby="study-title" data-testid="study">
             <div class="card-head">
                 <h2 id="study-title">{ text.derivation }</h2>
                 <div class="buttons">
-                    { copy("copy-derivation", text.copy_as_text, plain, act) }
+                    { copy("copy-derivation", text.copy_as_text, move || plain.clone(), act) }
                     { copy("copy-svg", text.copy_as_svg, drawing, act) }
                 </div>
             </div>
-            <Proof words={spoken} nodes={Rc::<[_]>::from(reading.nodes.clone())} linked={*link} chosen={chosen}
+            <Proof words={spoken} {nodes} linked={*link} chosen={chosen}
                 label={text.proof_label} on_link={act.reform(Action::Link)}
                 on_choose={act.reform(Action::ChooseNode)} />
             <div class="columns even">
@@ -44,7 +48,7 @@ pub(super) fn study(state: &State, act: &Callback<Action>) -> Html {
                     { reduction(text, study, chosen, *steps, act) }
                     <h3>{ text.form }</h3>
                     <pre tabindex="0" data-testid="reading-form">{ &reading.form }</pre>
-                    <p class="buttons">{ copy("copy-form", text.copy, form, act) }</p>
+                    <p class="buttons">{ copy("copy-form", text.copy, move || form.clone(), act) }</p>
                 </div>
                 <div>{ score(text, study) }</div>
             </div>
@@ -52,8 +56,13 @@ pub(super) fn study(state: &State, act: &Callback<Action>) -> Html {
     }
 }
 
-fn copy(id: &'static str, label: &'static str, what: String, act: &Callback<Action>) -> Html {
-    let copied = act.reform(move |_: yew::MouseEvent| Action::Copy(what.clone()));
+fn copy(
+    id: &'static str,
+    label: &'static str,
+    what: impl Fn() -> String + 'static,
+    act: &Callback<Action>,
+) -> Html {
+    let copied = act.reform(move |_: yew::MouseEvent| Action::Copy(what()));
     html! { <button type="button" class="quiet" data-testid={id} onclick={copied}>{ label }</button> }
 }
 
