@@ -40,12 +40,6 @@ pub fn alike(lexicon: &Lexicon, word: &str, most: usize) -> Vec<String> {
         .filter(|&(distance, known)| distance <= bound && distance < known.chars().count())
         .filter(|_| length >= 2)
         .collect();
-    let mut nearest = Vec::new();
-    while nearest.len() < most
-        && let Some(&next) = near.iter().min()
-    {
-        near.retain(|other| *other != next);
-        nearest.push(next.1.to_owned());
-    }
-    nearest
+    near.sort_unstable();
+    near.into_iter().take(most).map(|(_, known)| known.to_owned()).collect()
 }

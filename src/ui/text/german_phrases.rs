@@ -1,6 +1,7 @@
 //! German grammar: gender and case of nouns, endings of adjectives.
 
 use super::phrases::{Phrases, Spot};
+use super::table::capitalised;
 use crate::domain::{Color, Direction, Lock, Object, Shape, Size, State};
 use crate::ui::edit::Place;
 use crate::worker::protocol::{Article, Claim, Description, Noun, Phrase, Referent, Refers};
@@ -159,7 +160,7 @@ impl Phrases for German {
         words.push_str(&format!(" Räume: {}.", self.list(&rooms)));
         for object in &state.objects {
             let spot = self.spot(super::phrases::spot(state, (object.x, object.y)));
-            let object = capital(&self.object(object));
+            let object = capitalised(&self.object(object));
             words.push_str(&format!(" {object} {spot}."));
         }
         words
@@ -176,7 +177,7 @@ impl Phrases for German {
     fn moved_object(&self, object: &Object, to: Spot) -> String {
         let (word, gender) = property(object.shape.name());
         let name = definite(&[adjective(object.color.name())], word, gender, Nominative);
-        format!("{} ist jetzt {}.", capital(&name), self.spot(to))
+        format!("{} ist jetzt {}.", capitalised(&name), self.spot(to))
     }
 
     fn changed_door(&self, cell: Place, lock: Lock) -> String {
@@ -354,10 +355,4 @@ const fn compass(direction: Direction) -> &'static str {
         Direction::East => "Osten",
         Direction::West => "Westen",
     }
-}
-
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters.next().map(|first| super::table::capital(first).to_string());
-    format!("{}{}", first.unwrap_or_default(), letters.as_str())
 }

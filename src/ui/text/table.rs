@@ -284,23 +284,23 @@ pub struct Helps {
     pub other_world: &'static str,
 }
 
-/// A letter of these languages as a capital: the tables for all letters there are would be as large as a view.
-pub(super) const fn capital(letter: char) -> char {
-    match letter {
+/// Words with a capital at their head. Knows the letters of these languages: the tables for all letters there are would
+/// be as large as a view.
+pub(super) fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map(|letter| match letter {
         'ä' => 'Ä',
         'ö' => 'Ö',
         'ü' => 'Ü',
         other => other.to_ascii_uppercase(),
-    }
+    });
+    first.into_iter().chain(letters).collect()
 }
 
 impl Text {
     /// A goal as a sentence.
     pub fn sentence(&self, claim: &Claim) -> String {
-        let words = self.phrases.claim(claim);
-        let mut letters = words.chars();
-        let first = letters.next().map(|first| capital(first).to_string());
-        format!("{}{}.", first.unwrap_or_default(), letters.as_str())
+        format!("{}.", capitalised(&self.phrases.claim(claim)))
     }
 
     /// A goal as it was understood.

@@ -38,16 +38,13 @@ fn settings(text: &'static Text, room: &Room, act: &Callback<Action>) -> Html {
     match room.tool {
         Tool::Object => {
             let shapes = Shape::ALL.iter().map(|shape| text.shape_name(*shape));
-            let sizes = || std::iter::once(None).chain(Size::ALL.iter().copied().map(Some));
             let size = sizes().position(|size| size == look.size).unwrap_or(0);
             let shaped =
                 act.reform(move |n| Action::SetLook(Look { shape: at(Shape::ALL, n), ..look }));
             let colored =
                 act.reform(move |n| Action::SetLook(Look { color: at(Color::ALL, n), ..look }));
-            let sized = act.reform(move |n| {
-                let size = std::iter::once(None).chain(Size::ALL.iter().copied().map(Some)).nth(n);
-                Action::SetLook(Look { size: size.flatten(), ..look })
-            });
+            let sized = act
+                .reform(move |n| Action::SetLook(Look { size: sizes().nth(n).flatten(), ..look }));
             html! {
                 <div class="fields">
                     { select("look-shape", text.shape, shapes, look.shape as usize, shaped) }
@@ -66,6 +63,11 @@ fn settings(text: &'static Text, room: &Room, act: &Callback<Action>) -> Html {
         }
         _ => Html::default(),
     }
+}
+
+/// The sizes that an object may have; none goes first.
+fn sizes() -> impl Iterator<Item = Option<Size>> {
+    std::iter::once(None).chain(Size::ALL.iter().copied().map(Some))
 }
 
 /// The value at a place that a choice was made of; the first, should there be none.
