@@ -1,29 +1,32 @@
 //! Words that mean nothing here, such as "please": their neighbour absorbs them. Which they are is learned like any
 //! meaning, by entries of category EMPTY (after the skipping entries of Artzi and Zettlemoyer's SPF); skipping a word
 //! that no entry calls empty is the same at a price. There is one way to absorb a word, so readings do not multiply.
+//! A closed word never goes without meaning.
 
 use super::chart::Lexical;
+use super::closed::closed;
 use super::lexicon::EntryId;
 use super::model::Model;
 
 /// Which words may go without meaning.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Leniency {
     /// Those with an entry that says they are empty.
     Learned,
     /// Those and the words that the lexicon does not know.
     Unknown,
-    /// Any.
+    /// Any but closed ones.
     Any,
 }
 
-/// For every word the entry by which it means nothing, if the lexicon has one.
+/// For every word the entry by which it means nothing, if the lexicon has one and the word is not closed.
 pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
-    let empty = |word: &String| {
+    let empty = |(word, closed): (&String, Option<_>)| {
         let entries = model.lexicon.entries_for_word(word);
-        entries.iter().copied().find(|&entry| model.lexicon.is_empty_entry(entry))
+        let is_empty = |&entry: &EntryId| model.lexicon.is_empty_entry(entry);
+        entries.iter().copied().find(is_empty).filter(|_| closed.is_none())
     };
-    words.iter().map(empty).collect()
+    words.iter().zip(closed(words)).map(empty).collect()
 }
 
 /// What it adds to a score to leave each word without meaning, by the entry given for that if there is one; `None`
@@ -34,15 +37,16 @@ pub fn absorption(
     empty: &[Option<EntryId>],
     leniency: Leniency,
 ) -> Vec<Option<f64>> {
-    let cost = |(word, &empty): (&String, &Option<EntryId>)| {
+    let cost = |((word, &empty), closed): ((&String, &Option<EntryId>), Option<_>)| {
         let may = match leniency {
+            _ if closed.is_some() => false,
             Leniency::Any => true,
             Leniency::Unknown => empty.is_some() || !model.lexicon.knows(word),
             Leniency::Learned => empty.is_some(),
         };
         may.then(|| model.value(&model.absorption_features(word, empty)))
     };
-    words.iter().zip(empty).map(cost).collect()
+    words.iter().zip(empty).zip(closed(words)).map(cost).collect()
 }
 
 /// The items, each also over the empty words to its right; those at the beginning of the sentence are absorbed by

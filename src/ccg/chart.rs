@@ -21,12 +21,20 @@ pub struct ChartConfig {
     pub all_derivations: bool,
     /// Whether a functor may add nothing to its argument, as placeholders do.
     pub allow_vacuous: bool,
+    /// Whether a functor or a shift may throw its argument away.
+    pub allow_throwing: bool,
 }
 
 impl Default for ChartConfig {
     /// The paper's beam; a budget of a fraction of a second, so that whoever pumps a job is soon heard again.
     fn default() -> Self {
-        ChartConfig { beam: 150, budget: 200_000, all_derivations: false, allow_vacuous: false }
+        ChartConfig {
+            beam: 150,
+            budget: 200_000,
+            all_derivations: false,
+            allow_vacuous: false,
+            allow_throwing: false,
+        }
     }
 }
 
@@ -299,6 +307,9 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
                             }
                             *tried += 1;
                             let (f, g) = (left.category.meaning, right.category.meaning);
+                            if !config.allow_throwing && grammar.thrown(rule, f, g).is_some() {
+                                continue;
+                            }
                             let Some(meaning) = grammar.combine(rule, f, g, config.allow_vacuous)
                             else {
                                 continue;
@@ -344,7 +355,9 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
         for child in first..self.chart.edges.len() as u32 {
             let edge = *self.chart.edge(child);
             for (rule, category) in self.grammar.shifted(edge.category) {
-                if !self.reach.is_useful(start, end, category.syntax) {
+                if !self.reach.is_useful(start, end, category.syntax)
+                    || !self.config.allow_throwing && self.grammar.shift_throws(rule)
+                {
                     continue;
                 }
                 let lost = self.grammar.lost(&[edge.category.meaning], category.meaning);

@@ -4,7 +4,7 @@
 
 use super::category::Category;
 use super::syntax::{Atom, Direction, SyntaxId, Syntaxes};
-use crate::logic::{ConstantId, Expression, LogicError, Sorts, TermId, Terms, ty};
+use crate::logic::{ConstantId, Expression, LogicError, Node, Sorts, TermId, Terms, ty};
 use rustc_hash::FxHashMap;
 
 /// A row of [`RULES`], or after those a shift of the grammar's.
@@ -38,10 +38,13 @@ pub struct Shift {
     pub meaning: TermId,
 }
 
+/// One of two neighbours, or a way in which neither is the other's functor.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Side {
+pub(super) enum Side {
     Left,
     Right,
+    /// The left one is raised to a functor.
+    Raised,
     Neither,
 }
 
@@ -118,7 +121,7 @@ pub const RULES: &[Rule] = &[
         },
         meaning: raised_composition,
         written: |left, right| right.applied(vec![HERE, left]).lambda(),
-        functor: Side::Neither,
+        functor: Side::Raised,
         made: Made::Plainly,
     },
     Rule {
@@ -133,6 +136,17 @@ pub const RULES: &[Rule] = &[
             let both = [left, right].map(|property| property.applied(vec![HERE]));
             Expression::Name("and".into()).applied(both.into()).lambda()
         },
+        functor: Side::Neither,
+        made: Made::Plainly,
+    },
+    // Several commands in one sentence: all are to be done.
+    Rule {
+        name: "&",
+        syntax: |all, left, right| {
+            (all.is(left, Atom::S) && all.is(right, Atom::S)).then_some(left)
+        },
+        meaning: |terms, left, right| terms.conjoin(&[left, right]),
+        written: |left, right| Expression::Name("and".into()).applied(vec![left, right]),
         functor: Side::Neither,
         made: Made::Plainly,
     },
@@ -205,10 +219,37 @@ impl Grammar {
         let (functor, argument) = match rule.functor {
             Side::Left => (left, right),
             Side::Right => (right, left),
-            Side::Neither => return Some(meaning),
+            Side::Raised | Side::Neither => return Some(meaning),
         };
         let vacuous = meaning == argument && !self.is_identity(functor);
         (allow_vacuous || !vacuous).then_some(meaning)
+    }
+
+    /// Whether a function throws its argument away, after taking so many others.
+    pub fn throws(&self, function: TermId, after: u32) -> bool {
+        let mut body = function;
+        for _ in 0..=after {
+            let Node::Lambda { body: inner, .. } = self.terms.node(body) else { return false };
+            body = inner;
+        }
+        !self.terms.uses(body, 0)
+    }
+
+    /// Whether a shift throws away what it changes.
+    pub(super) fn shift_throws(&self, rule: RuleId) -> bool {
+        self.shift(rule).is_some_and(|shift| self.throws(shift.meaning, 0))
+    }
+
+    /// Which of two neighbours the row throws away, if any.
+    pub(super) fn thrown(&self, rule: RuleId, left: TermId, right: TermId) -> Option<Side> {
+        let rule = RULES.get(usize::from(rule.0))?;
+        match rule.functor {
+            Side::Left => self.throws(left, 0).then_some(Side::Right),
+            Side::Right => self.throws(right, 0).then_some(Side::Left),
+            // What is raised is the second argument of its neighbour.
+            Side::Raised => self.throws(right, 1).then_some(Side::Left),
+            Side::Neither => None,
+        }
     }
 
     /// What any rule, a shift too, makes of the meanings of its parts; `None` when they do not fit or the result would
@@ -287,7 +328,7 @@ impl Grammar {
 
     /// `λx. x`, at any type.
     fn is_identity(&mut self, term: TermId) -> bool {
-        let crate::logic::Node::Lambda { parameter, .. } = self.terms.node(term) else {
+        let Node::Lambda { parameter, .. } = self.terms.node(term) else {
             return false;
         };
         let x = self.terms.variable(0, parameter);

@@ -3,7 +3,7 @@
 
 use super::category::Category;
 use super::chart::{Chart, Step};
-use super::combinator::{Grammar, RuleId};
+use super::combinator::{Grammar, RuleId, Side};
 use super::features::{Feature, root_features};
 use super::lexicon::EntryId;
 use super::model::Model;
@@ -101,6 +101,35 @@ impl Derivation {
             Derivation::Node { .. } => (0..0).chain(0..0),
         };
         self.leaves().into_iter().flat_map(around).collect()
+    }
+
+    /// The places of the words whose meaning a functor or a shift throws away, with what it throws away.
+    pub fn thrown(&self, grammar: &Grammar) -> Vec<(usize, Category)> {
+        let Derivation::Node { rule, children, .. } = self else { return Vec::new() };
+        let lost = match &children[..] {
+            [left, right] => {
+                let [f, g] = [left, right].map(|child| child.category().meaning);
+                grammar.thrown(*rule, f, g).map(|side| match side {
+                    Side::Left => left,
+                    _ => right,
+                })
+            }
+            [child] => grammar.shift_throws(*rule).then_some(child),
+            _ => None,
+        };
+        let lost = lost.into_iter().flat_map(|lost| {
+            let own = lost.leaves().into_iter().flat_map(Self::own);
+            own.map(|at| (at, lost.category()))
+        });
+        lost.chain(children.iter().flat_map(|child| child.thrown(grammar))).collect()
+    }
+
+    /// The places of a leaf's own words.
+    fn own(&self) -> std::ops::Range<usize> {
+        match *self {
+            Derivation::Leaf { own, .. } => own.0..own.1,
+            Derivation::Node { .. } => 0..0,
+        }
     }
 
     /// Every feature of the reading that the derivation ends in, as often as it occurs. `empty` gives the entry by

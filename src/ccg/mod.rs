@@ -5,6 +5,7 @@ pub mod syntax;
 pub mod category;
 pub mod combinator;
 pub mod sentence;
+pub mod closed;
 pub mod lexicon;
 pub mod factor;
 pub mod lexicon_text;
@@ -20,6 +21,7 @@ pub mod trace;
 pub mod explain;
 
 pub use category::Category;
+pub use closed::{any_closed, closed};
 pub use chart::{Chart, ChartConfig, Lexical};
 pub use combinator::{Grammar, RULES, RuleId, Shift};
 pub use derivation::Derivation;

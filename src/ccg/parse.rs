@@ -1,18 +1,19 @@
 //! Parsing a command with a model: its distinct readings, ranked; when there is no full parse, the parse that
-//! skips words; when there is no single answer, why.
+//! skips words or throws meanings away, and says which; when there is no single answer, why. No reading is silent about a
+//! closed word: what can be read only without one is no answer.
 
 use super::absorb::{Leniency, absorbing, absorption, empty_entries};
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Lexical};
+use super::closed::{Kind, closed};
 use super::combinator::Grammar;
 use super::derivation::Derivation;
 use super::features::root_features;
-use super::lexicon::EntryId;
+use super::lexicon::{EntryId, Origin};
 use super::model::Model;
 use super::sentence::{MAX_WORDS, words};
 use super::spelling::heard;
-use super::syntax::{Atom, SyntaxId};
-use crate::logic::{Node, TermId, Terms, print, ty};
+use crate::logic::{Node, TermId, Terms, TyId, print, ty};
 use rustc_hash::FxHashMap;
 
 /// Why a command has no single answer.
@@ -25,6 +26,7 @@ pub enum Reason {
     NoParse,
     Tie,
     Budget,
+    LeftOut,
 }
 
 impl Reason {
@@ -37,6 +39,7 @@ impl Reason {
             Reason::NoParse => "no_parse",
             Reason::Tie => "tie",
             Reason::Budget => "budget",
+            Reason::LeftOut => "left_out",
         }
     }
 }
@@ -87,7 +90,7 @@ impl Parse {
 
     /// The one best reading, if there is just one.
     pub fn answer(&self) -> Option<Reading> {
-        if self.tied() == 1 { self.readings.first().copied() } else { None }
+        if self.reason.is_none() { self.readings.first().copied() } else { None }
     }
 
     /// The next attempt at the same command: what it found, and what both have tried.
@@ -122,27 +125,96 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
         return Parse { words, readings, skipped, reason, tried: 0, chart };
     }
     let heard = heard(&model.lexicon, &words);
+    let closed = closed(&heard);
     let empty = empty_entries(model, &heard);
     let mut parse = fill_at(model, &heard, &empty, Leniency::Learned, config);
     for leniency in [Leniency::Unknown, Leniency::Any] {
         if parse.readings.is_empty() {
+            let allow_throwing = leniency == Leniency::Any;
+            let config = ChartConfig { allow_throwing, ..config };
             let next = fill_at(model, &heard, &empty, leniency, config);
             parse = parse.or_else(next);
         }
     }
+    if parse.readings.is_empty() {
+        let part = pieces(&closed).find_map(|piece| {
+            let part = fill_piece(model, &heard, &empty, piece, config);
+            (!part.readings.is_empty()).then_some(part)
+        });
+        parse = part.map_or(parse.clone(), |part| parse.or_else(part));
+    }
+    let is_closed = closed.iter().any(Option::is_some);
     if let Some(&best) = parse.readings.first() {
-        let absorbed = parse.derivation(best).absorbed().into_iter();
-        parse.skipped =
-            absorbed.filter(|&at| empty[at].is_none()).map(|at| words[at].clone()).collect();
+        let left_out = left_out(&model.grammar, &parse.derivation(best), &empty);
+        // Beside a closed word what is left out may be half of what it speaks of.
+        let is_goal = |&(_, thrown): &(usize, Option<TyId>)| thrown == Some(ty::TRUTH);
+        if is_closed && !left_out.is_empty() || left_out.iter().any(is_goal) {
+            parse.reason = Some(Reason::LeftOut);
+        }
+        parse.skipped = left_out.into_iter().map(|(at, _)| words[at].clone()).collect();
     } else if parse.chart.over_budget {
         parse.reason = Some(Reason::Budget);
-    } else if heard.iter().all(|word| model.lexicon.knows(word)) {
-        parse.reason = Some(Reason::NoParse);
-    } else {
+    } else if !heard.iter().all(|word| model.lexicon.knows(word)) && !is_closed {
         parse.reason = Some(Reason::UnknownWords);
+    } else if is_closed {
+        let lost = words.iter().zip(&closed).filter(|(_, closed)| closed.is_some());
+        parse.skipped = lost.map(|(word, _)| word.clone()).collect();
+        parse.reason = Some(Reason::LeftOut);
+    } else {
+        parse.reason = Some(Reason::NoParse);
     }
     parse.words = words;
     parse
+}
+
+/// The places of the words that a reading leaves out, in order: those that are skipped, and those whose meaning is
+/// thrown away, with the type of what is.
+fn left_out(
+    grammar: &Grammar,
+    derivation: &Derivation,
+    empty: &[Option<EntryId>],
+) -> Vec<(usize, Option<TyId>)> {
+    let thrown = derivation.thrown(grammar).into_iter();
+    let thrown = thrown.map(|(at, what)| (at, Some(grammar.terms.ty(what.meaning))));
+    let skipped = derivation.absorbed().into_iter().filter(|&at| empty[at].is_none());
+    let mut left_out: Vec<_> = skipped.map(|at| (at, None)).chain(thrown).collect();
+    left_out.sort_unstable();
+    left_out.dedup_by_key(|(at, _)| *at);
+    left_out
+}
+
+/// The stretches of a sentence without closed words, the last one first: a part of it that could be done. Behind a word
+/// that turns round stands what is denied.
+fn pieces(closed: &[Option<Kind>]) -> impl Iterator<Item = (usize, usize)> {
+    let turn = closed.iter().position(|&kind| kind == Some(Kind::Turns));
+    let end = turn.unwrap_or(closed.len());
+    let is_whole = closed.iter().all(Option::is_none);
+    let bounds = (0..end).filter(|&at| closed[at].is_some()).chain([end]);
+    let mut pieces = Vec::new();
+    let mut start = 0;
+    for end in bounds {
+        if start < end && !is_whole {
+            pieces.push((start, end));
+        }
+        start = end + 1;
+    }
+    pieces.into_iter().rev()
+}
+
+/// What a stretch of the sentence alone would mean.
+fn fill_piece(
+    model: &mut Model,
+    words: &[String],
+    empty: &[Option<EntryId>],
+    (start, end): (usize, usize),
+    config: ChartConfig,
+) -> Parse {
+    let mut costs = absorption(model, words, empty, Leniency::Learned);
+    let outside = (0..words.len()).filter(|at| !(start..end).contains(at));
+    outside.for_each(|at| costs[at] = Some(0.0));
+    let mut items = lexical_items(model, words);
+    items.retain(|item| start <= item.start && item.end <= end);
+    fill(model, words, absorbing(items, &costs), |_, _, _| true, config)
 }
 
 fn fill_at(
@@ -182,18 +254,27 @@ pub fn fill(
 pub fn lexical_items(model: &Model, words: &[String]) -> Vec<Lexical> {
     let words: Vec<Box<str>> = words.iter().map(|word| Box::from(word.as_str())).collect();
     let mut items = Vec::new();
+    let closed = closed(&words);
     for start in 0..words.len() {
         let longest = (start + model.lexicon.longest()).min(words.len());
         for end in start + 1..=longest {
+            let is_closed = closed[start..end].iter().any(Option::is_some);
             for &entry in model.lexicon.entries_for(&words[start..end]) {
-                let item = lexical_item(model, entry, start, end);
-                if item.category.syntax != SyntaxId::EMPTY {
-                    items.push(item);
+                if model.lexicon.is_empty_entry(entry) || is_closed && !keeps(model, entry) {
+                    continue;
                 }
+                items.push(lexical_item(model, entry, start, end));
             }
         }
     }
     items
+}
+
+/// Whether an entry may speak for a closed word: the seed says what the word means, and all that it takes counts.
+fn keeps(model: &Model, entry: EntryId) -> bool {
+    let Category { syntax, meaning } = model.lexicon.category(entry);
+    model.lexicon.origin(entry) == Origin::Seed
+        && (0..model.grammar.syntaxes.arity(syntax)).all(|at| !model.grammar.throws(meaning, at))
 }
 
 /// An entry over a span.
@@ -205,12 +286,11 @@ pub fn lexical_item(model: &Model, entry: EntryId, start: usize, end: usize) -> 
 /// The distinct goals among a chart's roots, ranked. Goals that differ in the order of the arguments of a
 /// commutative relation are one, printed as the better derivation has it.
 fn readings(model: &mut Model, chart: &Chart) -> Vec<Reading> {
-    let sentence = model.grammar.syntaxes.atom(Atom::S);
     let mut best: FxHashMap<TermId, Reading> = FxHashMap::default();
     for edge in chart.roots() {
         let found = chart.edge(edge);
         let form = found.category.meaning;
-        if found.category.syntax != sentence || model.grammar.terms.ty(form) != ty::TRUTH {
+        if !found.category.syntax.is_sentence() || model.grammar.terms.ty(form) != ty::TRUTH {
             continue;
         }
         let root = root_features(&model.grammar.terms, &model.grammar.sorts, form);

@@ -4,7 +4,7 @@
 
 use super::chart::Lexical;
 use super::combinator::Grammar;
-use super::syntax::{Atom, SyntaxId};
+use super::syntax::SyntaxId;
 
 /// For every span the categories that some full parse may use there.
 pub(super) struct Reach {
@@ -42,11 +42,10 @@ impl Reach {
             }
         }
         if words > 0 {
-            let sentence = grammar.syntaxes.atom(Atom::S);
             let top = &reach.spans[reach.at(0, words)];
-            if let Some(root) = top.iter().position(|node| node.syntax == sentence) {
-                reach.mark(root);
-            }
+            let is_root = |&root: &usize| top[root].syntax.is_sentence();
+            let roots: Vec<usize> = (0..top.len()).filter(is_root).collect();
+            roots.into_iter().for_each(|root| reach.mark(root));
         }
         reach
     }

@@ -1,5 +1,5 @@
 //! A command's words: Unicode NFC, lower case, split on white space and hyphens, outer punctuation stripped,
-//! `'s` a word of its own, digits kept. Two commands are the same when their words are.
+//! `'s` a word of its own, digits kept; an apostrophe is straight. Two commands are the same when their words are.
 
 use unicode_normalization::char::{canonical_combining_class, compose, decompose_canonical};
 
@@ -14,15 +14,16 @@ pub fn words(command: &str) -> Vec<String> {
 /// The words of a command that is in NFC already, as text of the page is: the browser has the tables for that, and a
 /// program that needs none of its own is a tenth smaller.
 pub fn composed_words(command: &str) -> Vec<String> {
-    let text: String = command.chars().flat_map(char::to_lowercase).collect();
+    let straight = command.chars().map(|c| if c == '\u{2019}' { '\'' } else { c });
+    let text: String = straight.flat_map(char::to_lowercase).collect();
     let mut words = Vec::new();
     let is_outer = |c: char| !c.is_alphanumeric();
     for token in text.split(is_separator) {
         let word = match token.trim_end_matches(is_outer) {
-            owner @ ("'s" | "\u{2019}s") => owner,
+            owner @ "'s" => owner,
             other => other.trim_start_matches(is_outer),
         };
-        match word.strip_suffix("'s").or_else(|| word.strip_suffix("\u{2019}s")) {
+        match word.strip_suffix("'s") {
             Some("") => words.push("'s".to_owned()),
             Some(owner) => words.extend([owner.to_owned(), "'s".to_owned()]),
             None if word.is_empty() => {}

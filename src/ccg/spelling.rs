@@ -1,6 +1,7 @@
 //! Words heard through their misspelling: "chiar" is read as the known word next to it. A word that the lexicon knows
 //! is never changed, so what is learned of a spelling goes before.
 
+use super::closed::closed;
 use super::lexicon::Lexicon;
 
 /// Letters below which a word is taken as it stands: too many short words are one letter apart.
@@ -12,8 +13,11 @@ const LONG: usize = 8;
 /// deletion, substitution or swap of neighbours makes of them (two in long words), the first of the alphabet where
 /// there are several.
 pub fn heard(lexicon: &Lexicon, words: &[String]) -> Vec<String> {
-    let hear = |word: &String| nearest(lexicon, word).unwrap_or(word).to_owned();
-    words.iter().map(hear).collect()
+    let hear = |(word, closed): (&String, Option<_>)| match closed {
+        Some(_) => word.clone(),
+        None => nearest(lexicon, word).unwrap_or(word).to_owned(),
+    };
+    words.iter().zip(closed(words)).map(hear).collect()
 }
 
 fn nearest<'a>(lexicon: &'a Lexicon, word: &str) -> Option<&'a str> {

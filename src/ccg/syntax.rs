@@ -11,10 +11,16 @@ pub struct SyntaxId(u32);
 impl SyntaxId {
     /// What means nothing: the atoms have the same ids everywhere, in their order.
     pub const EMPTY: SyntaxId = SyntaxId(Atom::EMPTY as u32);
+
+    /// Whether a whole sentence may have the category: a command, or a prohibition.
+    pub fn is_sentence(self) -> bool {
+        self == SyntaxId(Atom::S as u32) || self == SyntaxId(Atom::NEG as u32)
+    }
 }
 
 /// The atoms: sentence, noun, noun phrase, prepositional phrase, adverbial phrase, predicative adjective;
-/// and what means nothing here, which its neighbour absorbs.
+/// what means nothing here, which its neighbour absorbs; and a prohibition, which is a sentence alone and no clause of
+/// another (beside a goal it would hold all the time, not at the end).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "the names are the categories'")]
 pub enum Atom {
@@ -25,9 +31,10 @@ pub enum Atom {
     AP,
     ADJ,
     EMPTY,
+    NEG,
 }
 
-const ATOMS: [(Atom, &str); 7] = [
+const ATOMS: [(Atom, &str); 8] = [
     (Atom::S, "S"),
     (Atom::N, "N"),
     (Atom::NP, "NP"),
@@ -35,6 +42,7 @@ const ATOMS: [(Atom, &str); 7] = [
     (Atom::AP, "AP"),
     (Atom::ADJ, "ADJ"),
     (Atom::EMPTY, "EMPTY"),
+    (Atom::NEG, "NEG"),
 ];
 
 /// Where a functor looks for its argument: `/` to the right, `\` to the left.
@@ -134,10 +142,18 @@ impl Syntaxes {
         self.get(id) == Syntax::Atom(atom)
     }
 
+    /// How many arguments the category takes until an atom is left.
+    pub fn arity(&self, id: SyntaxId) -> u32 {
+        match self.get(id) {
+            Syntax::Atom(_) => 0,
+            Syntax::Slash { result, .. } => 1 + self.arity(result),
+        }
+    }
+
     /// The type of what the category means; `None` where that is left open.
     pub fn ty(&self, types: &mut Types, id: SyntaxId) -> Option<TyId> {
         match self.get(id) {
-            Syntax::Atom(Atom::S) => Some(ty::TRUTH),
+            Syntax::Atom(Atom::S | Atom::NEG) => Some(ty::TRUTH),
             Syntax::Atom(Atom::NP) => Some(ty::ENTITY),
             Syntax::Atom(Atom::N | Atom::PP) => Some(types.function(ty::ENTITY, ty::TRUTH)),
             Syntax::Atom(Atom::AP | Atom::ADJ | Atom::EMPTY) => None,

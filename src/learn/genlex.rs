@@ -8,7 +8,9 @@ use crate::ccg::chart::{Chart, ChartConfig, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
 use crate::ccg::parse::lexical_items;
-use crate::ccg::{Atom, Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId};
+use crate::ccg::{
+    Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId, closed,
+};
 use crate::logic::{ConstantId, TyId, ty};
 use rustc_hash::FxHashSet;
 
@@ -85,9 +87,9 @@ fn empty_candidates(model: &mut Model, words: &[String]) -> Vec<Option<EntryId>>
     let is_empty = |&id: &TemplateId| model.lexicon.is_empty_template(id);
     let Some(template) = model.lexicon.open.keys().copied().find(is_empty) else { return known };
     let mut candidates = Vec::with_capacity(words.len());
-    for (word, known) in words.iter().zip(known) {
+    for ((word, known), closed) in words.iter().zip(known).zip(closed(words)) {
         let novelty = novelty(model, std::slice::from_ref(word));
-        let new = known.is_none() && novelty.admits_silence();
+        let new = known.is_none() && closed.is_none() && novelty.admits_silence();
         candidates.push(if new { add(model, word, template) } else { known });
     }
     candidates
@@ -129,9 +131,14 @@ fn coarse_chart(
     for item in &mut items {
         item.item += templates.len() as u32;
     }
+    let closed = closed(words);
     for start in 0..words.len() {
         for end in start + 1..=(start + MAX_SPAN).min(words.len()) {
             let own = &words[start..end];
+            // Nothing that is learned speaks for a closed word.
+            if closed[start..end].iter().any(Option::is_some) {
+                continue;
+            }
             if scope == Scope::UnknownWords && own.iter().all(|word| model.lexicon.knows(word)) {
                 continue;
             }
@@ -155,15 +162,14 @@ fn coarse_chart(
 /// The templates that any full parse in the chart used, with their spans, in order and once each. Every category
 /// on the way is put into `useful`.
 fn used_templates(
-    model: &mut Model,
+    model: &Model,
     chart: &Chart,
     templates: &[(TemplateId, Category)],
     useful: &mut FxHashSet<(usize, usize, SyntaxId)>,
 ) -> Vec<(usize, usize, TemplateId)> {
-    let sentence = model.grammar.syntaxes.atom(Atom::S);
     let is_goal = |&edge: &u32| {
         let category = chart.edge(edge).category;
-        category.syntax == sentence && model.grammar.terms.ty(category.meaning) == ty::TRUTH
+        category.syntax.is_sentence() && model.grammar.terms.ty(category.meaning) == ty::TRUTH
     };
     let mut used = Vec::new();
     for (start, end, edge) in chart.below(chart.roots().filter(is_goal)) {

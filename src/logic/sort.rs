@@ -55,11 +55,8 @@ impl Sorts {
                     Node::Constant(constant) => terms.name(constant),
                     _ => "",
                 };
-                // What is denied, or one of several, is no claim about the variables.
-                if name == "not" {
-                    return true;
-                }
-                if name == "or" {
+                // What is denied, or one of several, is no claim about the variables; but it could have been true.
+                if name == "not" || name == "or" {
                     return args.iter().any(|&arg| self.check(terms, arg, &mut around.clone()));
                 }
                 let sets = self.arguments.get(name);

@@ -181,6 +181,21 @@ impl Terms {
         self.at(term).free
     }
 
+    /// Whether the variable of a de Bruijn index occurs in it.
+    pub fn uses(&self, term: TermId, index: u32) -> bool {
+        if self.free(term) <= index {
+            return false;
+        }
+        match self.node(term) {
+            Node::Constant(_) => false,
+            Node::Variable(found) => found == index,
+            Node::Lambda { body, .. } => self.uses(body, index + 1),
+            Node::Apply { head, args } => {
+                self.uses(head, index) || args.iter().any(|&arg| self.uses(arg, index))
+            }
+        }
+    }
+
     /// The name of a constant, without its type.
     pub fn name(&self, constant: ConstantId) -> &str {
         &self.constants[constant.0 as usize].0

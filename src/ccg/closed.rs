@@ -1,0 +1,82 @@
+//! Closed words: those that turn a sentence round, exclude, join, order or limit (`assets/lexicon/closed.txt`). Invariant:
+//! such a word is used with its meaning by an entry of a seed lexicon, or the sentence has no full reading. No learned
+//! entry speaks for one, none goes without meaning, and nothing throws one away with an argument.
+
+use std::sync::LazyLock;
+
+/// What would become of a sentence without the word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// The opposite: it denies, excludes or goes away.
+    Turns,
+    /// Half of it: it joins two things, or chooses between them.
+    Joins,
+    /// It orders in time or sets a condition.
+    Orders,
+    /// It limits to one thing.
+    Limits,
+}
+
+const KINDS: [(&str, Kind); 4] = [
+    ("turns", Kind::Turns),
+    ("joins", Kind::Joins),
+    ("orders", Kind::Orders),
+    ("limits", Kind::Limits),
+];
+
+/// A line's words: one or more, and what they do. A single word may be an ending.
+struct Phrase {
+    words: Vec<&'static str>,
+    is_ending: bool,
+    kind: Kind,
+}
+
+static PHRASES: LazyLock<Vec<Phrase>> = LazyLock::new(|| {
+    let lines = include_str!("../../assets/lexicon/closed.txt").lines();
+    let lines = lines.filter_map(|line| line.split('#').next()?.split_once(':'));
+    let mut phrases = Vec::new();
+    for (name, all) in lines {
+        let kind = KINDS.iter().find(|(known, _)| *known == name.trim()).map(|&(_, kind)| kind);
+        for phrase in all.split('|').map(str::trim) {
+            let is_ending = phrase.starts_with('-');
+            let words = phrase.trim_start_matches('-').split_whitespace().collect();
+            // A test holds that every line has a kind.
+            phrases.extend(kind.map(|kind| Phrase { words, is_ending, kind }));
+        }
+    }
+    phrases
+});
+
+/// For every word of a command what it does, if it is closed; where several phrases cover a word, the first of the list.
+pub fn closed(words: &[impl AsRef<str>]) -> Vec<Option<Kind>> {
+    let mut places = vec![None; words.len()];
+    for Phrase { words: own, is_ending, kind } in PHRASES.iter() {
+        for start in 0..(words.len() + 1).saturating_sub(own.len()) {
+            let here = &words[start..start + own.len()];
+            let matches = here.iter().zip(own).all(|(word, own)| {
+                let word = word.as_ref();
+                word == *own || *is_ending && word.ends_with(own)
+            });
+            if matches {
+                places[start..start + own.len()].iter_mut().for_each(|place| {
+                    place.get_or_insert(*kind);
+                });
+            }
+        }
+    }
+    places
+}
+
+/// Whether any of the words is closed.
+pub fn any_closed(words: &[impl AsRef<str>]) -> bool {
+    closed(words).iter().any(Option::is_some)
+}
+
+/// The closed words that stand alone, in the list's order: what a misspelt word may be.
+pub fn closed_words() -> impl Iterator<Item = &'static str> {
+    let alone = PHRASES.iter().filter(|phrase| !phrase.is_ending);
+    alone.filter_map(|phrase| match phrase.words[..] {
+        [word] => Some(word),
+        _ => None,
+    })
+}
