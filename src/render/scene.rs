@@ -2,9 +2,9 @@
 //! the same scene, and `gpu.rs` draws it in one call.
 
 use super::floor::{Extent, Floor};
-use super::motion::Pose;
 use super::options::Options;
 use super::palette::{Rgba, Theme};
+use super::pose::Pose;
 use super::quad::{Figure, Quad};
 use super::{overlay, things, walls};
 use crate::domain::{Bounds, Room, State};
