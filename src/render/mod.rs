@@ -17,10 +17,10 @@ pub mod motion;
 pub mod grid;
 #[cfg(target_arch = "wasm32")]
 pub mod gpu;
-#[cfg(target_arch = "wasm32")]
-pub mod link;
 
 pub use floor::{Extent, Floor, Ground};
+#[cfg(target_arch = "wasm32")]
+pub use gpu::link;
 pub use grid::{Cell, Grid};
 pub use motion::Motion;
 pub use options::{Arrow, Ghost, Options, Spread, Thing, spread};

@@ -1,5 +1,5 @@
 //! A picture of a state as plain data: quads from back to front, in cells. Pure: the same state and options give
-//! the same scene, and `gpu.rs` draws it in one call.
+//! the same scene, and `gpu` draws it in one call.
 
 use super::floor::{Extent, Floor};
 use super::options::Options;

@@ -118,15 +118,27 @@ fn mod_files_only_list() {
 #[test]
 fn only_the_edge_asks_where_it_is_built() {
     let rule = rules::cfg_only_at_the_edge;
-    let admits = "#[cfg(target_arch = \"wasm32\")]\npub mod gpu;\n#[cfg(test)]\nmod tests {}";
-    tells_apart(
-        rule,
-        "src/render/mod.rs",
-        "#[cfg(target_arch = \"wasm32\")]\npub mod scene;",
-        admits,
-    );
+    let wasm = |line: &str| {
+        format!("#[cfg(target_arch = \"wasm32\")]\n{line}\n#[cfg(test)]\nmod tests {{}}")
+    };
+    let cases = [
+        ("src/render/mod.rs", "pub mod scene;", "pub mod gpu;"),
+        ("src/render/mod.rs", "pub use scene::Scene;", "pub use gpu::Gpu;"),
+        ("src/render/mod.rs", "pub mod link;", "mod gpu;"),
+        ("src/render/mod.rs", "pub mod view;", "pub(crate) mod agent;"),
+        ("src/robot/mod.rs", "pub mod links;", "pub mod link;"),
+        ("src/ui/talk/mod.rs", "pub mod link;", "pub mod view;"),
+        ("src/ui/mod.rs", "pub mod page;", "pub mod view;"),
+    ];
+    for (path, bad, good) in cases {
+        tells_apart(rule, path, &wasm(bad), &wasm(good));
+    }
     tells_apart(rule, "src/plan/a.rs", "if cfg!(debug_assertions) {}", "// cfg!(debug_assertions)");
-    assert!(rule(&File::new("src/render/gpu.rs", "#[cfg(test)] #[cfg(windows)]")).is_empty());
+    for edge in
+        ["src/render/gpu/a.rs", "src/ui/talk/view.rs", "src/ui/page/view/a.rs", "src/robot/link.rs"]
+    {
+        assert!(rule(&File::new(edge, "#[cfg(windows)]")).is_empty(), "{edge}");
+    }
     holds(rule);
 }
 
@@ -149,6 +161,8 @@ fn the_core_is_pure() {
         "rand::rng()",
         "fn f() {}\n#[cfg(test)]\nmod tests { println!(); }",
     );
+    assert!(!rule(&File::new("src/render/link.rs", "println!();")).is_empty(), "not the robot's");
+    assert!(!rule(&File::new("src/ui/talk/review.rs", "println!();")).is_empty(), "no view");
     assert!(rule(&File::new("src/bin/groundling.rs", "println!();")).is_empty());
     holds(rule);
 }
