@@ -3,8 +3,9 @@
 
 use super::file::File;
 
-/// The most lines that a source file may have.
+/// The most lines that a source file may have, and one of the page that is no table of words.
 const MOST_LINES: usize = 500;
+const MOST_LINES_OF_UI: usize = 300;
 
 /// Endings of what is written by hand as source.
 const SOURCES: [&str; 7] = ["rs", "mjs", "js", "css", "wgsl", "sh", "html"];
@@ -12,8 +13,11 @@ const SOURCES: [&str; 7] = ["rs", "mjs", "js", "css", "wgsl", "sh", "html"];
 /// Says so when a source file is too long to be read at a sitting.
 pub(super) fn is_short(file: &File) -> Vec<String> {
     let lines = file.text.lines().count();
-    let counts = SOURCES.contains(&file.ending()) && lines > MOST_LINES;
-    counts.then(|| format!("{lines} lines, at most {MOST_LINES}")).into_iter().collect()
+    let is_words = ["/words/", "/text/"].iter().any(|folder| file.path.contains(folder));
+    let is_ui = file.path.starts_with("src/ui/") && !is_words;
+    let most = if is_ui { MOST_LINES_OF_UI } else { MOST_LINES };
+    let counts = SOURCES.contains(&file.ending()) && lines > most;
+    counts.then(|| format!("{lines} lines, at most {most}")).into_iter().collect()
 }
 
 /// Says so when a source file does not begin by saying what it is.
