@@ -3,12 +3,19 @@
 
 #[path = "tidy/arrows.rs"]
 mod arrows;
+#[path = "tidy/circles.rs"]
+mod circles;
 #[path = "tidy/file.rs"]
 mod file;
+#[path = "tidy/imports.rs"]
+mod imports;
+#[path = "tidy/paths.rs"]
+mod paths;
 #[path = "tidy/rules.rs"]
 mod rules;
 
 use file::File;
+use std::collections::BTreeMap;
 
 /// What may stand at the top of the repository.
 const TOP: [&str; 19] = [
@@ -44,11 +51,53 @@ fn holds(rule: fn(&File) -> Vec<String>) {
     assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
 }
 
+/// Runs `rule` over all files of the tree together.
+#[track_caller]
+fn holds_of_all(rule: fn(&[File]) -> Vec<String>) {
+    let complaints = rule(&file::tree());
+    assert!(complaints.is_empty(), "\n{}", complaints.join("\n"));
+}
+
 /// Runs `rule` over a sample that breaks it and over one that does not.
 #[track_caller]
 fn tells_apart(rule: fn(&File) -> Vec<String>, path: &str, bad: &str, good: &str) {
     assert!(!rule(&File::new(path, bad)).is_empty(), "not caught in {path}: {bad}");
     assert_eq!(rule(&File::new(path, good)), Vec::<String>::new(), "wrongly caught: {good}");
+}
+
+/// A small tree: the modules that the rules on imports are tried on, with `changes` to their files.
+fn sample(changes: &[(&str, &str)]) -> Vec<File> {
+    let mut files = BTreeMap::from([
+        ("src/lib.rs", "pub mod a;\npub mod b;\npub mod render;\npub mod ui;"),
+        ("src/a.rs", ""),
+        ("src/b/mod.rs", "pub mod c;\npub mod d;\npub use c::C;"),
+        ("src/b/c.rs", ""),
+        ("src/b/d.rs", ""),
+        ("src/render/mod.rs", ""),
+        (
+            "src/ui/mod.rs",
+            "pub mod page;\npub mod talk;\npub mod train;\npub mod app;\npub use train::Train;",
+        ),
+        ("src/ui/page/mod.rs", "mod a;\npub use a::P;"),
+        ("src/ui/page/a.rs", ""),
+        ("src/ui/talk/mod.rs", "pub mod a;\nmod b;"),
+        ("src/ui/talk/a.rs", ""),
+        ("src/ui/talk/b.rs", ""),
+        ("src/ui/train/mod.rs", "pub mod a;\npub use a::{T, Train};"),
+        ("src/ui/train/a.rs", ""),
+        ("src/ui/app/mod.rs", "pub mod a;"),
+        ("src/ui/app/a.rs", ""),
+    ]);
+    files.extend(changes.iter().copied());
+    files.iter().map(|(path, text)| File::new(path, text)).collect()
+}
+
+/// Runs `rule` over a small tree that breaks it and over one that does not: the same with `cure`.
+#[track_caller]
+fn all_tell_apart(rule: fn(&[File]) -> Vec<String>, bad: &[(&str, &str)], cure: &[(&str, &str)]) {
+    assert!(!rule(&sample(bad)).is_empty(), "not caught: {bad:?}");
+    let good = [bad, cure].concat();
+    assert_eq!(rule(&sample(&good)), Vec::<String>::new(), "wrongly caught: {good:?}");
 }
 
 #[test]
@@ -71,6 +120,70 @@ fn imports_go_one_way() {
     tells_apart(rule, "src/logic/a.rs", "use super::super::ground::Goal;", "use super::ty::Ty;");
     assert!(!rule(&File::new("src/shell/a.rs", "fn f() {}")).is_empty(), "a module of no place");
     holds(rule);
+}
+
+#[test]
+fn imports_make_no_circle() {
+    let rule = circles::imports_make_no_circle;
+    let by_use =
+        [("src/a.rs", "use crate::b::{self, c::C};"), ("src/b/c.rs", "use super::super::a::A;")];
+    all_tell_apart(rule, &by_use, &[("src/b/c.rs", "")]);
+    let by_path =
+        [("src/a.rs", "fn f() { super::b::c::f() }"), ("src/b/c.rs", "fn f(a: crate::a::A) {}")];
+    all_tell_apart(rule, &by_path, &[("src/b/c.rs", "fn f(a: a::A) {}")]);
+    let by_module = [
+        ("src/a.rs", "use crate::b::c as d;\nfn f() { d::f() }"),
+        ("src/b/c.rs", "use crate::a;\nfn f() { a::f() }"),
+    ];
+    all_tell_apart(rule, &by_module, &[("src/b/c.rs", "use crate::b as a;\nfn f() { a::C::f() }")]);
+    let handed_on = [
+        ("src/a.rs", "use crate::b::C;"),
+        ("src/b/mod.rs", "mod c;\nmod d;\npub use c::C;\npub use d::D;"),
+        ("src/b/c.rs", "use super::D;"),
+        ("src/b/d.rs", "use crate::a::A;"),
+    ];
+    all_tell_apart(rule, &handed_on, &[("src/b/d.rs", "use super::C as _;"), ("src/b/c.rs", "")]);
+    let unknown = [("src/b/c.rs", "use super::E;")];
+    all_tell_apart(rule, &unknown, &[("src/b/c.rs", "use std::E;")]);
+    let of_three = [
+        ("src/a.rs", "use crate::b::c::C;"),
+        ("src/b/c.rs", "use super::d::D;"),
+        ("src/b/d.rs", "use crate::a::A;"),
+    ];
+    let said = rule(&sample(&of_three));
+    assert_eq!(said, ["a circle: src/a.rs → src/b/c.rs → src/b/d.rs → src/a.rs"]);
+    let in_tests = [
+        ("tests/b.rs", "#[path = \"b/../c.rs\"]\nmod c;\nfn f() { c::f() }"),
+        ("tests/c.rs", "use super::f;"),
+    ];
+    all_tell_apart(rule, &in_tests, &[("tests/c.rs", "use groundling::a::f;")]);
+    holds_of_all(rule);
+}
+
+#[test]
+fn pages_know_no_other() {
+    let rule = circles::pages_know_no_other;
+    for (path, bad, good) in [
+        ("src/ui/talk/a.rs", "use crate::ui::train::T;", "use crate::ui::page::P;"),
+        ("src/ui/talk/a.rs", "fn f() { super::super::train::a::f() }", "use super::b::B;"),
+        ("src/ui/talk/a.rs", "use crate::ui::{app::A, page::P};", "use crate::ui::{page::P};"),
+        ("src/ui/talk/a.rs", "use crate::ui::Train;", "use crate::render::Scene;"),
+        ("src/ui/page/a.rs", "use crate::ui::talk::T;", "use super::P;"),
+        ("src/ui/page/a.rs", "use super::super::app::A;", "use crate::ui::page::P;"),
+    ] {
+        all_tell_apart(
+            rule,
+            &[(path, bad)],
+            &[
+                (path, good),
+                (
+                    "src/ui/app/a.rs",
+                    "use crate::ui::{page::P, talk, train::T};\nfn f() { talk::a::f() }",
+                ),
+            ],
+        );
+    }
+    holds_of_all(rule);
 }
 
 #[test]
