@@ -1,7 +1,7 @@
 //! The paths that Rust code names: those of its `use` lines, each with the name that it brings in, and those that stand
 //! in the code itself.
 
-use super::file::File;
+use super::file::{File, is_word};
 
 /// A path, a name a part: `crate::logic::Ty` has three.
 pub(super) type Path = Vec<String>;
@@ -131,10 +131,6 @@ fn tokens(code: &str) -> Vec<&str> {
         rest = after.trim_start();
     }
     tokens
-}
-
-fn is_word(c: char) -> bool {
-    c.is_alphanumeric() || c == '_'
 }
 
 fn is_name(token: &str) -> bool {
