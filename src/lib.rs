@@ -12,7 +12,7 @@
 //! What holds throughout, each with its tests:
 //!
 //! 1. Equal term ids are α-equivalent, β-normal terms with conjuncts in one order; printing and reading is the identity.
-//! 2. The core (all but `*/gpu`, `*/agent`, `*/link`, `ui/view` and `bin`) has no clock, no randomness of its own, no
+//! 2. The core (all but `*/gpu`, `*/agent`, `robot/link`, `ui/**/view` and `bin`) has no clock, no randomness of its own, no
 //!    threads, no printing and no browser: callers pass seeds, times and budgets.
 //! 3. The same corpus, settings and seed give the same model, byte for byte, natively and in the browser.
 //! 4. `the` and `argmax` are resolved only in `ground`, in the initial state.

@@ -158,7 +158,8 @@ impl Chart {
             items[item.start * (words + 1) + item.end].push(index);
         }
         let loss = features.value(Feature::Lost);
-        let reach = Reach::new(grammar, words, &chart.lexical);
+        let given = chart.lexical.iter().map(|item| (item.start, item.end, item.category.syntax));
+        let reach = Reach::new(grammar, words, given);
         let cell = Cell { span: (0, 0), edges: Vec::new(), known: FxHashMap::default(), admit };
         let mut filling = Filling { chart, grammar, features, loss, config, items, reach, cell };
         for width in 1..=words {

@@ -2,7 +2,6 @@
 //! (coarse to fine, after Charniak et al. 2006), so that the chart builds no meaning that leads nowhere. The
 //! normal form is not asked here: it only takes away.
 
-use super::chart::Lexical;
 use super::combinator::Grammar;
 use super::syntax::SyntaxId;
 
@@ -28,13 +27,18 @@ enum Way {
 }
 
 impl Reach {
-    /// The pass over a sentence of `words` words.
-    pub(super) fn new(grammar: &mut Grammar, words: usize, lexical: &[Lexical]) -> Self {
+    /// The pass over a sentence of `words` words; `lexical` has the categories that the lexicon gives, each with its
+    /// span's first word and one past the last.
+    pub(super) fn new(
+        grammar: &mut Grammar,
+        words: usize,
+        lexical: impl Iterator<Item = (usize, usize, SyntaxId)>,
+    ) -> Self {
         let spans = (0..words * (words + 1)).map(|_| Vec::new()).collect();
         let mut reach = Reach { spans, words };
-        for item in lexical {
-            let at = reach.at(item.start, item.end);
-            place(&mut reach.spans[at], item.category.syntax);
+        for (start, end, syntax) in lexical {
+            let at = reach.at(start, end);
+            place(&mut reach.spans[at], syntax);
         }
         for width in 1..=words {
             for start in 0..=words - width {

@@ -1,10 +1,10 @@
 //! JSON lines: `{id, command, task?, worker?, pairs: [{pre, post}]}` a line, in and out.
 
+use super::admit::{check_command, not_a_corpus};
 use super::cell::{self, Moment};
 use super::example::{
     Corpus, Example, Flaw, MAX_CELL_BYTES, MAX_FILE_BYTES, MAX_PAIRS, MAX_ROWS, Row,
 };
-use super::mturk::{check_command, not_csv};
 use crate::domain::State;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
@@ -69,7 +69,7 @@ impl<R: Read> Reader<R> {
     pub fn new(source: R) -> Result<Self, Flaw> {
         let mut source = BufReader::new(source);
         let head = source.fill_buf().map_err(|error| Flaw::of_file(error.to_string()))?;
-        if let Some(reason) = not_csv(head) {
+        if let Some(reason) = not_a_corpus(head) {
             return Err(Flaw::of_file(reason));
         }
         let mark = if head.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };

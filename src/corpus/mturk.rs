@@ -1,11 +1,9 @@
 //! Mechanical Turk's batch-results CSV, in and out, with the quirks of real files: columns in any order and
 //! found by name, rows without their last cells, answers of crowd-html forms as JSON in one cell.
 
+use super::admit::{EMPTY, Options, check_command, not_a_corpus};
 use super::cell::{self, Moment};
-use super::example::{
-    Corpus, Example, Flaw, MAX_CELL_BYTES, MAX_COMMAND_CHARS, MAX_PAIRS, MAX_ROWS, Row,
-};
-use super::read::Options;
+use super::example::{Corpus, Example, Flaw, MAX_CELL_BYTES, MAX_PAIRS, MAX_ROWS, Row};
 use super::record::{Fault, Record, Records};
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
@@ -77,7 +75,7 @@ impl<R: Read> Reader<R> {
     pub fn new(source: R, options: Options) -> Result<Self, Flaw> {
         let fault = |fault: Fault| Flaw::of_file(fault.to_string());
         let mut records = Records::new(source).map_err(fault)?;
-        if let Some(reason) = not_csv(records.head()) {
+        if let Some(reason) = not_a_corpus(records.head()) {
             return Err(Flaw::of_file(reason));
         }
         let header = match records.next_record() {
@@ -292,36 +290,6 @@ pub fn write(corpus: &Corpus, out: impl Write) -> std::io::Result<()> {
     }
     out.flush()
 }
-
-/// Whether a command can be kept.
-pub(super) fn check_command(command: &str) -> Result<(), String> {
-    let length = command.chars().count();
-    if command.is_empty() {
-        return Err("the command is empty; say what the robot should do, or delete the row".into());
-    }
-    if length > MAX_COMMAND_CHARS {
-        return Err(format!(
-            "the command has {length} characters, more than {MAX_COMMAND_CHARS}; shorten it"
-        ));
-    }
-    Ok(())
-}
-
-/// The file's own reason not to be CSV, from its first bytes.
-pub(super) fn not_csv(head: &[u8]) -> Option<&'static str> {
-    match head {
-        [] => Some(EMPTY),
-        [b'P', b'K', 3, 4, ..] => {
-            Some("this is a spreadsheet or a zip file; save it as CSV in UTF-8")
-        }
-        [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => Some("this is UTF-16 text; save it as CSV in UTF-8"),
-        _ if head.contains(&0) => Some("this is not a text file; a corpus is CSV or JSON lines"),
-        _ if head.trim_ascii().is_empty() => Some(EMPTY),
-        _ => None,
-    }
-}
-
-const EMPTY: &str = "the file is empty; it needs a header and a row for each command";
 
 fn role(column: &str) -> Role {
     let number = |prefix: &str| {

@@ -1,5 +1,6 @@
 //! One door for both forms: rows from any byte stream, one by one so that a long reading can be pumped.
 
+use super::admit::Options;
 use super::example::{Corpus, Flaw, Row};
 use super::{jsonl, mturk};
 use std::io::Read;
@@ -23,13 +24,6 @@ impl Form {
             Form::Csv
         }
     }
-}
-
-/// What to read.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Options {
-    /// Keep rows that were rejected.
-    pub with_rejected: bool,
 }
 
 /// The rows of a file, one by one.

@@ -1,36 +1,8 @@
-//! The cells of a world: which are wall, floor or door, and the graph of those a thing can stand on.
-//! Invariant: a door covers its cells whatever lies below; else a room's border is wall, its inside floor.
+//! The graph of the cells that a thing can stand on.
 
-use super::object::{Bounds, Direction, Door, Room};
+use super::cell::{Cell, cell_at};
+use super::object::{Bounds, Direction};
 use super::state::State;
-
-/// What a cell is made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cell {
-    /// Nothing enters.
-    Wall,
-    /// The inside of a room.
-    Floor,
-    /// Part of the door with this index.
-    Door(usize),
-}
-
-/// What the cell at column `x`, row `y` is made of; outside all rooms and doors there is wall.
-#[must_use]
-pub fn cell_at(rooms: &[Room], doors: &[Door], x: i32, y: i32) -> Cell {
-    if let Some(d) = doors.iter().position(|d| d.bounds.contains(x, y)) {
-        return Cell::Door(d);
-    }
-    let mut cell = Cell::Wall;
-    for room in rooms {
-        if room.bounds.strictly_inside(x, y) {
-            cell = Cell::Floor;
-        } else if room.bounds.contains(x, y) {
-            return Cell::Wall;
-        }
-    }
-    cell
-}
 
 /// The index of a cell that is no wall: row by row, from the south-west.
 pub type Place = u16;

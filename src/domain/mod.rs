@@ -2,8 +2,9 @@
 
 pub(crate) mod name;
 pub mod object;
-pub mod layout;
+pub mod cell;
 pub mod state;
+pub mod layout;
 pub mod rules;
 pub mod packing;
 pub mod dynamics;
@@ -13,9 +14,10 @@ pub mod blueprint;
 pub mod text;
 
 pub use blueprint::{Blueprint, BlueprintError, Style};
+pub use cell::{Cell, cell_at};
 pub use dynamics::Dynamics;
 pub use generate::{Plan, generate};
-pub use layout::{Cell, Layout, cell_at};
+pub use layout::Layout;
 pub use name::UnknownName;
 pub use object::{Agent, Bounds, Color, Direction, Door, Lock, Object, Room, Shape, Size};
 pub use packing::{PackError, Packed};

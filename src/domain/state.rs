@@ -1,7 +1,7 @@
 //! A state of Cleanup World, its JSON form and its legality. A `State` that came through
 //! [`State::read`] or [`State::check`] is legal: nothing stands in a wall and no two things share a cell.
 
-use super::layout::{Cell, cell_at};
+use super::cell::{Cell, cell_at};
 use super::object::{Agent, Bounds, Door, Object, Room};
 use serde::{Deserialize, Serialize};
 

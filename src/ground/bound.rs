@@ -6,8 +6,8 @@
 //! Where chance plays a part, values are bounded too: see [`BoundOf::most`].
 //! Invariant: bounds are admissible and consistent; locks only make a way longer.
 
-use super::compile::{Atom, Load, Node, Wishes, place};
 use super::distance::{Ground, Moves, Steps, Table};
+use super::wish::{Atom, Load, Node, Wishes, place};
 use crate::domain::layout::Place;
 use crate::domain::{Dynamics, Lock, Packed};
 use crate::mdp::power;

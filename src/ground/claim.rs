@@ -1,8 +1,9 @@
 //! What a goal says, taken apart for whoever puts it into words: a tree without the words of any language. Made from
 //! the form itself, so that a person can check what was understood.
 
+use super::class::Class;
 use super::denote::meaning;
-use super::predicate::{Class, Meaning, Property};
+use super::predicate::{Meaning, Property};
 use crate::logic::{Node, TermId, Terms, print_human};
 use serde::{Deserialize, Serialize};
 

@@ -1,13 +1,15 @@
 //! Logical forms meet the world: what each constant means, what a phrase refers to, which states earn a goal.
 //! Determiners are resolved here and only here, in the initial state (invariant 4).
 
-pub mod predicate;
+pub mod class;
 pub mod thing;
+pub mod predicate;
 pub mod denote;
 pub mod goal;
 mod landmarks;
 mod cells;
 mod distance;
+mod wish;
 mod bound;
 mod compile;
 pub mod task;
@@ -16,10 +18,11 @@ pub mod claim;
 pub mod validate;
 
 pub use claim::{Article, Claim, Description, Noun, claim, noun};
+pub use class::Class;
 pub use denote::Failure;
 pub use goal::{Formula, Goal, GoalError};
 pub use phrase::{Phrase, phrases};
-pub use predicate::{Class, Meaning, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
+pub use predicate::{Meaning, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
 pub use task::{Task, TaskError, World};
 pub use thing::{Entity, Thing};
 pub use validate::{PairId, Side, Validator};

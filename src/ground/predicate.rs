@@ -1,22 +1,12 @@
 //! What the constants of Cleanup World mean: one table of name, type and meaning. The ontology file holds the
 //! same names and types as data; a test keeps the two equal.
 
+use super::class::Class;
 use super::thing::Thing;
 use crate::domain::{Color, Shape};
 
 /// The ontology's text, `name:type` a line, as [`crate::logic::Signature`] reads it.
 pub const ONTOLOGY: &str = include_str!("../../assets/lexicon/ontology.txt");
-
-/// A kind of entity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[expect(missing_docs, reason = "the names are the kinds'")]
-pub enum Class {
-    Agent,
-    Room,
-    Door,
-    /// Any movable thing; not the agent.
-    Object,
-}
 
 /// What can be said of one entity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -69,18 +59,6 @@ pub struct Predicate {
     pub ty: &'static str,
     /// Its meaning.
     pub meaning: Meaning,
-}
-
-impl Class {
-    /// Its constant's name.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Class::Agent => "agent",
-            Class::Room => "room",
-            Class::Door => "door",
-            Class::Object => "object",
-        }
-    }
 }
 
 impl Property {

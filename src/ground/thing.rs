@@ -1,7 +1,7 @@
 //! The entities of a state, seen one by one, and what makes them the same in two states: rooms and doors their
 //! bounds, whatever they are called, objects their name.
 
-use super::predicate::Class;
+use super::class::Class;
 use crate::domain::{Bounds, Color, Door, Object, Room, Shape, State};
 
 /// An entity as one state shows it.

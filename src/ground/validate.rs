@@ -2,9 +2,10 @@
 //! every demonstration? Properties and relations are bitsets over the entities of a pair, compiled once per
 //! pair; phrases are looked up by term, answers by term and pair. Agrees with [`Goal`] on every term.
 
+use super::class::Class;
 use super::denote::{Env, lookup};
 use super::goal::Goal;
-use super::predicate::{Class, Meaning, Property, Relation, predicate};
+use super::predicate::{Meaning, Property, Relation, predicate};
 use super::thing::Thing;
 use crate::domain::State;
 use crate::logic::{ConstantId, Node, TermId, Terms};

@@ -1,6 +1,7 @@
 //! λ-terms as they are written down: without types, not reduced, each a tree of its own. What is shown to people is
 //! made of these; what is computed with is [`Terms`]. Variables are de Bruijn indices.
 
+use super::origin::unmarked;
 use super::term::{Node, TermId, Terms};
 use std::fmt;
 
@@ -164,7 +165,7 @@ fn write_application(
         Expression::Name(name) => &**name,
         _ => "",
     };
-    match (super::mark::unmarked(name), args) {
+    match (unmarked(name), args) {
         ("and", _) => join(args, depth, (" ∧ ", Binding::And), around, out),
         ("or", _) => join(args, depth, (" ∨ ", Binding::Or), around, out),
         ("not", [inner]) => {

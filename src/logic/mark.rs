@@ -1,28 +1,12 @@
-//! Marks: constants that carry where they came from through every reduction. A marked constant is one of its own, its
-//! name between two characters of Unicode's private use area that stand for its origin's number; marked terms live in
-//! an arena apart. Connectives go unmarked, or `and` would not know `and` again.
+//! Marks: constants that carry where they came from through every reduction. A marked constant is one of its own, with
+//! its `origin` in its name; marked terms live in an arena apart.
 //! Invariant: a marked term without its marks, conjuncts said twice but once, is the plain term.
 
 use super::expression::Expression;
+use super::origin::{named, origin, split, unmarked};
 use super::term::{LogicError, Node, TermId, Terms};
 use super::ty::{TyId, Type};
 use rustc_hash::FxHashMap;
-
-/// The first mark's character, and how many there are.
-const FIRST: u32 = 0xE000;
-const COUNT: u32 = 0x1900;
-
-/// Names that reductions must know again.
-const CONNECTIVES: [&str; 5] = ["and", "or", "not", "true", "false"];
-
-fn is_mark(c: char) -> bool {
-    (FIRST..FIRST + COUNT).contains(&u32::from(c))
-}
-
-/// A constant's name without its mark.
-pub fn unmarked(name: &str) -> &str {
-    name.trim_matches(is_mark)
-}
 
 /// A term of one arena in another, its constants marked as come from `origin`.
 ///
@@ -34,11 +18,7 @@ pub fn marked(
     to: &mut Terms,
     origin: Option<u32>,
 ) -> Result<TermId, LogicError> {
-    let mark = origin.filter(|&n| n < COUNT).and_then(|n| char::from_u32(FIRST + n));
-    let rename = |name: &str| match mark {
-        Some(mark) if !CONNECTIVES.contains(&name) => format!("{mark}{name}{mark}"),
-        _ => name.to_owned(),
-    };
+    let rename = |name: &str| named(name, origin);
     Copying { from, to, rename: &rename, known: FxHashMap::default() }.copy(term)
 }
 
@@ -96,8 +76,7 @@ impl<'a> Marks<'a> {
         let inside = inside || self.plain(term) == Some(plain);
         match self.marked.node(term) {
             Node::Constant(constant) if inside => {
-                let mark = self.marked.name(constant).chars().next().filter(|&c| is_mark(c));
-                let origin = mark.map(|c| u32::from(c) - FIRST);
+                let origin = origin(self.marked.name(constant));
                 found.extend(origin.filter(|origin| !found.contains(origin)));
             }
             Node::Constant(_) | Node::Variable(_) => {}
@@ -108,26 +87,6 @@ impl<'a> Marks<'a> {
             }
         }
     }
-}
-
-/// A text in pieces: what stands between two equal marks, and what stands between those.
-fn split(text: &str) -> Vec<(String, Option<u32>)> {
-    let mut pieces: Vec<(String, Option<u32>)> = Vec::new();
-    let (mut piece, mut origin) = (String::new(), None);
-    for c in text.chars() {
-        if is_mark(c) {
-            if !piece.is_empty() {
-                pieces.push((std::mem::take(&mut piece), origin));
-            }
-            origin = if origin.is_none() { Some(u32::from(c) - FIRST) } else { None };
-        } else {
-            piece.push(c);
-        }
-    }
-    if !piece.is_empty() {
-        pieces.push((piece, origin));
-    }
-    pieces
 }
 
 /// Terms on their way from one arena into another.

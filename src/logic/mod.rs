@@ -1,11 +1,12 @@
 //! Simply typed λ-calculus with hash-consed normal forms: the language of goals. Knows no world.
 
 pub mod ty;
-pub mod sort;
 pub mod signature;
 pub mod term;
+pub mod sort;
 mod reduce;
 pub mod read;
+mod origin;
 pub mod expression;
 pub mod print;
 pub mod mark;

@@ -2,9 +2,13 @@
 //! arguments can be. Text form: `name:type` a line, then, parted by spaces, the sorts of each argument, joined by
 //! `|` (any sort where nothing is said); a line `sorts` before them names the sorts; `#` begins a comment.
 
-use super::sort::{MAX_SORTS, SortSet};
 use super::ty::{TyId, Types};
 use indexmap::IndexMap;
+
+/// A set of sorts, a bit each.
+pub type SortSet = u8;
+/// Sorts that a signature may have.
+pub const MAX_SORTS: usize = SortSet::BITS as usize;
 
 /// Constants and their types, in the order of the text. A name has one type.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -2,14 +2,9 @@
 //! for something in which nothing can stand: it is well typed and denotes nothing in any world. Inference is
 //! conservative: what it refuses is never true, what it lets pass may still be false.
 
-use super::signature::Signature;
+use super::signature::{Signature, SortSet};
 use super::term::{Node, TermId, Terms};
 use rustc_hash::FxHashMap;
-
-/// A set of sorts, a bit each.
-pub type SortSet = u8;
-/// Sorts that a signature may have.
-pub const MAX_SORTS: usize = SortSet::BITS as usize;
 
 /// What a signature says of sorts, for the terms of one arena.
 #[derive(Clone, Debug, Default)]

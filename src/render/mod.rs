@@ -9,20 +9,22 @@ pub mod floor;
 pub mod quad;
 pub mod options;
 pub mod walls;
+pub mod pose;
 mod overlay;
-pub mod motion;
 mod things;
 pub mod scene;
+pub mod motion;
 pub mod grid;
 #[cfg(target_arch = "wasm32")]
 pub mod gpu;
-#[cfg(target_arch = "wasm32")]
-pub mod link;
 
 pub use floor::{Extent, Floor, Ground};
+#[cfg(target_arch = "wasm32")]
+pub use gpu::link;
 pub use grid::{Cell, Grid};
-pub use motion::{Motion, Pose};
+pub use motion::Motion;
 pub use options::{Arrow, Ghost, Options, Spread, Thing, spread};
 pub use palette::{Rgba, Theme};
+pub use pose::Pose;
 pub use quad::{Figure, Quad};
 pub use scene::{Fit, Scene};

@@ -1,34 +1,11 @@
 //! The way from one state to the next, for animation: robot and pushed object glide, the heading turns the short
-//! way round. Pure: the caller has the clock and says how far it is, `t` in 0..=1. Angles are radians
-//! counter-clockwise from north, lengths are cells.
+//! way round. Pure: the caller has the clock and says how far it is, `t` in 0..=1.
 
 use super::options::Options;
+use super::pose::Pose;
 use super::scene::Scene;
-use crate::domain::{Direction, State};
-use std::f32::consts::{FRAC_PI_2, PI, TAU};
-
-/// Where the things that move are, between cells.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pose {
-    /// The robot.
-    pub robot: [f32; 2],
-    /// Where the robot looks.
-    pub turn: f32,
-    /// The objects, in the state's order.
-    pub objects: Vec<[f32; 2]>,
-}
-
-impl Pose {
-    /// Everything in its cell.
-    pub fn of(state: &State) -> Self {
-        let objects = state.objects.iter().map(|o| [o.x as f32, o.y as f32]).collect();
-        Self {
-            robot: [state.agent.x as f32, state.agent.y as f32],
-            turn: heading(state.agent.direction),
-            objects,
-        }
-    }
-}
+use crate::domain::State;
+use std::f32::consts::{PI, TAU};
 
 /// The way from one state to another. Doors and new objects show as in the second from the start.
 #[derive(Clone, Debug)]
@@ -82,16 +59,6 @@ impl Motion {
     /// The picture at `t`.
     pub fn scene_at(&self, t: f32, options: &Options) -> Scene {
         Scene::posed(&self.state, &self.pose(t), options)
-    }
-}
-
-/// How far a thing that looks north is turned to look that way.
-pub(super) fn heading(direction: Direction) -> f32 {
-    match direction {
-        Direction::North => 0.0,
-        Direction::West => FRAC_PI_2,
-        Direction::South => PI,
-        Direction::East => -FRAC_PI_2,
     }
 }
 

@@ -2,9 +2,9 @@
 //! the keyboard's frame and a dragged thing's target. Cells outside the picture are left out.
 
 use super::floor::Extent;
-use super::motion::heading;
 use super::options::{Arrow, Options};
 use super::palette::{Rgba, unit};
+use super::pose::heading;
 use super::quad::{ArrowForm, Figure, NEIGHBOURS, Quad};
 use rustc_hash::{FxHashMap, FxHashSet};
 

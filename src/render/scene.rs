@@ -1,10 +1,10 @@
 //! A picture of a state as plain data: quads from back to front, in cells. Pure: the same state and options give
-//! the same scene, and `gpu.rs` draws it in one call.
+//! the same scene, and `gpu` draws it in one call.
 
 use super::floor::{Extent, Floor};
-use super::motion::Pose;
 use super::options::Options;
 use super::palette::{Rgba, Theme};
+use super::pose::Pose;
 use super::quad::{Figure, Quad};
 use super::{overlay, things, walls};
 use crate::domain::{Bounds, Room, State};

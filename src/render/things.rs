@@ -1,9 +1,9 @@
 //! What stands in a room as quads: the robot and the objects, each with its shadow; and the same while a person
 //! drags it. Units are cells.
 
-use super::motion::Pose;
 use super::options::{Ghost, Options, Thing};
 use super::palette::Theme;
+use super::pose::Pose;
 use super::quad::{Figure, Quad};
 use crate::domain::{Object, Size, State};
 

@@ -3,18 +3,17 @@
 
 use super::ask::{Asked, Asking};
 use super::job::Step;
-use super::learner::{ROWS_A_STEP, problem, progress};
+use super::progress::{CorpusReading, progress};
 use super::protocol::{
     Confused, CorpusText, Event, Experiment, ExperimentProgress, ExperimentReport, Figures,
     Judgement, Problem, RunPart, RunReport, TaskFigures, WorldRules,
 };
 use crate::ccg::Model;
-use crate::corpus::{Corpus, Example, Form, Options, Rows};
+use crate::corpus::{Corpus, Example};
 use crate::learn::experiment::{
     self as learning, Outcome, Run, Selection, cross, table_2, table_3,
 };
 use crate::learn::{CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Report, Ties, seed_model};
-use std::io::Cursor;
 use std::sync::Arc;
 
 /// The most parts that a corpus is cut into.
@@ -32,7 +31,7 @@ pub(super) struct Experimenting {
 
 enum Stage {
     /// The test file is read.
-    Read { rows: Box<Rows<Cursor<Vec<u8>>>>, test: Corpus },
+    Read(Box<CorpusReading>),
     /// The runs follow each other.
     Run(Box<Runs>),
     /// The command is answered.
@@ -90,7 +89,7 @@ impl Experimenting {
     /// Does a bounded part.
     pub(super) fn step(&mut self) -> Step {
         let said = match std::mem::replace(&mut self.stage, Stage::Over) {
-            Stage::Read { rows, test } => self.read_on(rows, test),
+            Stage::Read(reading) => self.read_on(reading),
             Stage::Run(runs) => self.run_on(runs),
             Stage::Ask { mut asking, mut model, mut report } => match asking.step(&mut model) {
                 Asked::Working(_) => {
@@ -111,15 +110,13 @@ impl Experimenting {
         }
     }
 
-    fn read_on(&mut self, mut rows: Box<Rows<Cursor<Vec<u8>>>>, mut test: Corpus) -> Option<Event> {
-        for _ in 0..ROWS_A_STEP {
-            match rows.next() {
-                Some(row) => self.problems.extend(test.add(row).into_iter().map(problem)),
-                None => return self.begin(test),
-            }
-        }
-        self.stage = Stage::Read { rows, test };
-        None
+    fn read_on(&mut self, mut reading: Box<CorpusReading>) -> Option<Event> {
+        let Some((test, problems)) = reading.step() else {
+            self.stage = Stage::Read(reading);
+            return None;
+        };
+        self.problems = problems;
+        self.begin(test)
     }
 
     /// The test file is read: the runs begin, if it has anything to be judged on.
@@ -197,10 +194,9 @@ impl Stage {
 }
 
 fn read(CorpusText { name, text }: &CorpusText) -> Result<Stage, String> {
-    let source = Cursor::new(text.clone().into_bytes());
-    let rows = Rows::new(Form::of_name(name), source, Options::default())
+    let reading = CorpusReading::new(name, text.clone())
         .map_err(|flaw| format!("The test file cannot be read: {flaw}."))?;
-    Ok(Stage::Read { rows: Box::new(rows), test: Corpus::default() })
+    Ok(Stage::Read(Box::new(reading)))
 }
 
 fn run_report(run: &Run, outcome: &Outcome) -> RunReport {

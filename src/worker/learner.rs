@@ -3,20 +3,17 @@
 
 use super::experiment::Experimenting;
 use super::job::{Job, Role, Step, misdirected, say};
+use super::progress::{CorpusReading, problem, progress};
 use super::protocol::{
-    CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Problem, Program, Progress, Request,
-    RowSummary, SeedLexicon, TeachReport, TrainSettings,
+    CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Problem, Program, Request, RowSummary,
+    SeedLexicon, TeachReport, TrainSettings,
 };
 use super::talker::report;
 use crate::ccg::{EntryText, Model};
-use crate::corpus::{Corpus, Example, Flaw, Form, Options, Pair, Rows};
+use crate::corpus::{Corpus, Example, Pair};
 use crate::learn::{
-    self, CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Taught, Teaching, Trainer, seed_model,
+    CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Taught, Teaching, Trainer, seed_model,
 };
-use std::io::Cursor;
-
-/// Rows that a step reads.
-pub(super) const ROWS_A_STEP: usize = 4;
 
 /// What the learner keeps.
 #[derive(Default)]
@@ -44,18 +41,14 @@ impl Role for Learner {
 }
 
 impl Learner {
-    fn keep(&mut self, name: String, corpus: Corpus, flaws: Vec<Flaw>) -> Event {
+    fn keep(&mut self, name: String, corpus: Corpus, problems: Vec<Problem>) -> Event {
         let rows = corpus.examples.iter().map(|example| RowSummary {
             command: example.command.clone(),
             task: example.task.clone(),
             pairs: example.pairs.len(),
         });
-        let report = CorpusReport {
-            name,
-            rows: rows.collect(),
-            rejected: corpus.rejected,
-            problems: flaws.into_iter().map(problem).collect(),
-        };
+        let report =
+            CorpusReport { name, rows: rows.collect(), rejected: corpus.rejected, problems };
         if !corpus.examples.is_empty() {
             self.corpus = corpus;
         }
@@ -125,27 +118,16 @@ impl Learner {
 }
 
 fn read_corpus(name: String, text: String) -> Result<Job<Learner>, String> {
-    let source = Cursor::new(text.into_bytes());
-    let mut rows = match Rows::new(Form::of_name(&name), source, Options::default()) {
-        Ok(rows) => rows,
+    let mut reading = match CorpusReading::new(&name, text) {
+        Ok(reading) => reading,
         Err(flaw) => {
             let (rows, problems) = (Vec::new(), vec![problem(flaw)]);
             return say(Event::Corpus(CorpusReport { name, rows, rejected: 0, problems }));
         }
     };
-    let mut corpus = Corpus { columns: rows.columns().to_vec(), ..Corpus::default() };
-    let mut flaws = Vec::new();
-    Ok(Box::new(move |learner| {
-        for _ in 0..ROWS_A_STEP {
-            match rows.next() {
-                Some(row) => flaws.extend(corpus.add(row)),
-                None => {
-                    let (corpus, flaws) = (std::mem::take(&mut corpus), std::mem::take(&mut flaws));
-                    return Step::Over(learner.keep(name.clone(), corpus, flaws));
-                }
-            }
-        }
-        Step::Working(None)
+    Ok(Box::new(move |learner| match reading.step() {
+        Some((corpus, problems)) => Step::Over(learner.keep(name.clone(), corpus, problems)),
+        None => Step::Working(None),
     }))
 }
 
@@ -188,22 +170,5 @@ fn example(lesson: Lesson) -> Example {
         worker: None,
         pairs: pairs.collect(),
         rest: Vec::new(),
-    }
-}
-
-pub(super) fn problem(flaw: Flaw) -> Problem {
-    Problem { line: flaw.line, column: flaw.column, message: flaw.message, kept: flaw.kept }
-}
-
-/// How far a training run of so many epochs and examples is.
-pub(super) fn progress(progress: learn::Progress, epochs: u32, examples: usize) -> Progress {
-    Progress {
-        epoch: progress.epoch,
-        epochs,
-        example: progress.example,
-        examples,
-        valid: progress.so_far.valid,
-        updates: progress.so_far.updates,
-        entries: progress.so_far.entries,
     }
 }

@@ -9,6 +9,7 @@ mod read;
 mod ask;
 pub mod job;
 mod talker;
+mod progress;
 mod experiment;
 mod learner;
 #[cfg(target_arch = "wasm32")]

@@ -1,6 +1,7 @@
 //! Which module may import which, and the order in which they are read.
 
 use super::file::File;
+use super::paths::Paths;
 
 /// The modules in reading order, each with what it may import. `worker::protocol` admits that part alone.
 pub(super) const ARROWS: [(&str, &[&str]); 13] = [
@@ -67,50 +68,17 @@ pub(super) fn modules_stand_in_reading_order(file: &File) -> Vec<String> {
     complaints
 }
 
-/// Every path that starts at the crate's root, without `crate::`: from `use` trees and from the code alike.
+/// Every path that starts at the crate's root, without `crate`: from `use` trees and from the code alike.
 fn paths_from_root(file: &File) -> Vec<String> {
-    let code: String = file.code.split_whitespace().collect::<Vec<_>>().join(" ");
-    let code = code.replace(":: ", "::").replace(" ::", "::").replace("{ ", "{").replace(", ", ",");
-    // How many `super::` lead from this file to the root.
+    // How many `super` lead from this file to the root.
     let folders = file.path.trim_start_matches("src/").matches('/').count();
     let depth = if file.path.ends_with("/mod.rs") { folders } else { folders + 1 };
-    let up = "super::".repeat(depth);
-    let mut paths = Vec::new();
-    for start in ["crate::", up.as_str()] {
-        for (at, _) in code.match_indices(start) {
-            let before = code.get(..at).unwrap_or_default().chars().next_back();
-            if before.is_some_and(|c| c.is_alphanumeric() || c == '_' || c == '$') {
-                continue;
-            }
-            expand("", code.get(at + start.len()..).unwrap_or_default(), &mut paths);
+    let from_root = |path: &[String]| match path {
+        [first, rest @ ..] if first == "crate" => Some(rest.join("::")),
+        _ => {
+            let (up, rest) = path.split_at_checked(depth)?;
+            up.iter().all(|part| part == "super").then(|| rest.join("::"))
         }
-    }
-    paths
-}
-
-/// Expands the `use` tree (or plain path) that `rest` begins with; returns what follows it.
-fn expand<'a>(prefix: &str, rest: &'a str, paths: &mut Vec<String>) -> &'a str {
-    if let Some(mut inner) = rest.strip_prefix('{') {
-        loop {
-            inner = expand(prefix, inner, paths);
-            match inner.chars().next() {
-                Some(',') => inner = &inner[1..],
-                Some('}') => return &inner[1..],
-                _ => return inner,
-            }
-        }
-    }
-    let end = rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len());
-    let (name, after) = rest.split_at(end);
-    let path = if prefix.is_empty() { name.to_owned() } else { format!("{prefix}::{name}") };
-    match after.strip_prefix("::") {
-        Some(more) => expand(&path, more, paths),
-        None => {
-            if !name.is_empty() {
-                paths.push(path);
-            }
-            let end = after.find([',', '}', ';']).unwrap_or(after.len());
-            if after.starts_with(" as ") { &after[end..] } else { after }
-        }
-    }
+    };
+    Paths::of(file).all().filter_map(|path| from_root(path)).collect()
 }

@@ -97,7 +97,8 @@ fn code_of(text: &str) -> String {
     out
 }
 
-fn is_word(c: char) -> bool {
+/// Whether a character can stand in a name.
+pub(super) fn is_word(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 

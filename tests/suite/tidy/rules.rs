@@ -3,8 +3,9 @@
 
 use super::file::File;
 
-/// The most lines that a source file may have.
+/// The most lines that a source file may have, and one of the page that is no table of words.
 const MOST_LINES: usize = 500;
+const MOST_LINES_OF_UI: usize = 300;
 
 /// Endings of what is written by hand as source.
 const SOURCES: [&str; 7] = ["rs", "mjs", "js", "css", "wgsl", "sh", "html"];
@@ -12,8 +13,11 @@ const SOURCES: [&str; 7] = ["rs", "mjs", "js", "css", "wgsl", "sh", "html"];
 /// Says so when a source file is too long to be read at a sitting.
 pub(super) fn is_short(file: &File) -> Vec<String> {
     let lines = file.text.lines().count();
-    let counts = SOURCES.contains(&file.ending()) && lines > MOST_LINES;
-    counts.then(|| format!("{lines} lines, at most {MOST_LINES}")).into_iter().collect()
+    let is_words = ["/words/", "/text/"].iter().any(|folder| file.path.contains(folder));
+    let is_ui = file.path.starts_with("src/ui/") && !is_words;
+    let most = if is_ui { MOST_LINES_OF_UI } else { MOST_LINES };
+    let counts = SOURCES.contains(&file.ending()) && lines > most;
+    counts.then(|| format!("{lines} lines, at most {most}")).into_iter().collect()
 }
 
 /// Says so when a source file does not begin by saying what it is.
@@ -54,13 +58,13 @@ pub(super) fn mod_files_only_list(file: &File) -> Vec<String> {
 
 /// Whether a path belongs to the core, which is the same everywhere (invariant 2 of `src/lib.rs`).
 fn is_core(path: &str) -> bool {
-    let edge = ["/gpu.rs", "/agent.rs", "/link.rs", "/gpu/", "/agent/", "/link/"];
-    path.starts_with("src/")
-        && path.ends_with(".rs")
-        && !path.starts_with("src/bin/")
-        && !path.starts_with("src/ui/view/")
-        && path != "src/ui/view.rs"
-        && !edge.iter().any(|part| path.contains(part))
+    // Each a folder, or a file of that name.
+    let edge = [("src/", "gpu"), ("src/", "agent"), ("src/robot/", "link"), ("src/ui/", "view")];
+    let is_edge = edge.iter().any(|(under, name)| {
+        let is_there = [format!("/{name}/"), format!("/{name}.rs")];
+        path.starts_with(under) && is_there.iter().any(|there| path.contains(there))
+    });
+    path.starts_with("src/") && path.ends_with(".rs") && !path.starts_with("src/bin/") && !is_edge
 }
 
 /// Says so when the core asks where it is built, but for tests and the lines that admit a wasm-only file.
@@ -68,16 +72,12 @@ pub(super) fn cfg_only_at_the_edge(file: &File) -> Vec<String> {
     if !is_core(&file.path) {
         return Vec::new();
     }
-    let lines: Vec<&str> = file.text.lines().collect();
+    let lines: Vec<&str> = file.text.lines().map(str::trim).collect();
+    let folder = file.path.rsplit_once('/').map_or("", |(folder, _)| folder);
     let admits = |number: usize| {
-        let here = lines.get(number - 1).copied().unwrap_or_default().trim();
-        let next = lines.get(number).copied().unwrap_or_default().trim();
-        let line = format!("{here} {next}");
-        ["gpu", "agent", "link", "view"].iter().any(|name| {
-            ["pub mod", "mod", "pub(crate) mod"].iter().any(|kind| {
-                line.starts_with(&format!("#[cfg(target_arch = \"wasm32\")] {kind} {name};"))
-            })
-        })
+        let module = lines.get(number).and_then(|line| module_named(line));
+        lines.get(number - 1) == Some(&"#[cfg(target_arch = \"wasm32\")]")
+            && module.is_some_and(|name| !is_core(&format!("{folder}/{name}.rs")))
     };
     let mut complaints = Vec::new();
     for (number, line) in file.code.lines().enumerate().map(|(index, line)| (index + 1, line)) {
@@ -88,6 +88,13 @@ pub(super) fn cfg_only_at_the_edge(file: &File) -> Vec<String> {
         }
     }
     complaints
+}
+
+/// The module that a line declares, or of which it hands on a name.
+fn module_named(line: &str) -> Option<&str> {
+    let item = line.trim_start_matches("pub(crate) ").trim_start_matches("pub ");
+    let declared = item.strip_prefix("mod ").and_then(|item| item.strip_suffix(';'));
+    declared.or_else(|| Some(item.strip_prefix("use ")?.split_once("::")?.0))
 }
 
 /// Says so when the core reaches for a clock, a thread, the system or the console, or for maths that

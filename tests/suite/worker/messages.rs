@@ -1,6 +1,7 @@
-//! Messages between page and engines: each kind comes back as it went in, and what is cut short is refused.
+//! Messages between page and engines: each kind comes back as it went in, and what is cut short or goes to the wrong
+//! program is refused.
 
-use super::{corpus, settings, six};
+use super::{corpus, refused, settings, six};
 use groundling::domain::{Blueprint, Color, Direction, Shape, Size};
 use groundling::learn::PlannerCost;
 use groundling::learn::experiment::By;
@@ -8,10 +9,11 @@ use groundling::worker::protocol::{
     Answer, Article, CellValue, Claim, Confused, CorpusReport, CorpusText, Description, EntryText,
     Envelope, Event, Experiment, ExperimentProgress, ExperimentReport, Explanation, Fate, Figures,
     Judgement, Lesson, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress, PlanText, Problem,
-    Progress, Reading, Referent, Refers, Request, RowSummary, RunPart, RunReport, Runs,
+    Program, Progress, Reading, Referent, Refers, Request, RowSummary, RunPart, RunReport, Runs,
     SeedLexicon, Study, TaskFigures, TeachReport, TrainReport, VERSION, ValueMap, Why, WireError,
     Word, WorldRules, decode, encode,
 };
+use groundling::worker::{Engine, Learner, Talker};
 use serde::{Serialize, de::DeserializeOwned};
 use std::collections::HashSet;
 use std::fmt::Debug;
@@ -48,8 +50,28 @@ fn another_version_is_refused_whatever_follows() {
     assert_eq!(decode::<Request>(&[0xff; 64]), Err(WireError::Malformed));
 }
 
+#[test]
+fn each_program_refuses_what_is_the_other_s() {
+    let mut seen = [0, 0];
+    for request in requests() {
+        let Some(program) = request.program() else { continue };
+        let said = match program {
+            Program::Talker => refused(&mut Engine::<Learner>::new(), request),
+            Program::Learner => refused(&mut Engine::<Talker>::new(), request),
+        };
+        let others = ["learner", "talker"];
+        let (own, other) = match program {
+            Program::Talker => (others[1], others[0]),
+            Program::Learner => (others[0], others[1]),
+        };
+        assert_eq!(said, format!("This is for the {own}, and was sent to the {other}."));
+        seen[program as usize] += 1;
+    }
+    assert!(seen.iter().all(|&n| n >= 5), "{seen:?}");
+}
+
 /// A request of every kind, some more than once.
-pub(super) fn requests() -> Vec<Request> {
+fn requests() -> Vec<Request> {
     let state = six()[0].pairs[0].pre.clone();
     let pair = PairText { pre: state.clone(), post: state.clone() };
     let mut some = settings(3);

@@ -5,8 +5,7 @@
 //! The surface's format is a plain (not an sRGB) one: the shader's colours reach the canvas as they are, and
 //! blend as the page's own do.
 
-use super::quad::Quad;
-use super::scene::Scene;
+use crate::render::{Quad, Scene};
 use futures_channel::oneshot;
 use js_sys::{Array, Promise};
 use std::cell::Cell;

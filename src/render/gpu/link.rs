@@ -2,7 +2,7 @@
 //! picture is wanted and hands it scenes as one `Float32Array` a frame. Needs no more of a content policy than
 //! `script-src 'self' 'wasm-unsafe-eval'`: the import is the language's own, of a file beside the page.
 
-use super::Scene;
+use crate::render::Scene;
 use js_sys::{Float32Array, Promise};
 use wasm_bindgen::prelude::{JsCast, JsValue, wasm_bindgen};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
