@@ -20,6 +20,8 @@ const SKIP: f64 = -1.0;
 const DROP: f64 = -3.0;
 /// The weight of a predicate that a step leaves out.
 const LOSS: f64 = -1.5;
+/// The weight with which learning begins for two commands side by side: most commands are one.
+const BESIDE: f64 = -6.0;
 
 /// Phrases that one line may stand for.
 const MAX_ALTERNATIVES: usize = 512;
@@ -49,6 +51,9 @@ pub fn read_lexicon(model: &mut Model, text: &str) -> Result<(), LexiconError> {
     model.features.set(Feature::Skip, SKIP);
     model.features.set(Feature::Dropped, DROP);
     model.features.set(Feature::Lost, LOSS);
+    if let Some(beside) = model.grammar.rule_named("&") {
+        model.features.set(Feature::Rule(beside), BESIDE);
+    }
     Ok(())
 }
 
