@@ -1,6 +1,7 @@
 //! Logical forms meet the world: what each constant means, what a phrase refers to, which states earn a goal.
 //! Determiners are resolved here and only here, in the initial state (invariant 4).
 
+pub mod shade;
 pub mod predicate;
 pub mod thing;
 pub mod denote;
@@ -19,7 +20,8 @@ pub use claim::{Article, Claim, Description, Noun, claim, noun};
 pub use denote::Failure;
 pub use goal::{Formula, Goal, GoalError};
 pub use phrase::{Phrase, phrases};
-pub use predicate::{Class, Meaning, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
+pub use predicate::{Class, Meaning, Measure, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
+pub use shade::Shade;
 pub use task::{Task, TaskError, World};
 pub use thing::{Entity, Thing};
 pub use validate::{PairId, Side, Validator};
