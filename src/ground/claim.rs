@@ -3,7 +3,8 @@
 
 use super::class::Class;
 use super::denote::meaning;
-use super::predicate::{Meaning, Property};
+use super::predicate::{Meaning, Measure, Property};
+use super::shade::Shade;
 use crate::logic::{Node, TermId, Terms, print_human};
 use serde::{Deserialize, Serialize};
 
@@ -73,6 +74,8 @@ pub enum Article {
     Biggest,
     /// The one that is smaller than all others.
     Smallest,
+    /// The one whose colour is most like a shade: `the violet room`.
+    Closest(Shade),
 }
 
 /// What a goal says. What has no plain words stands in it as people write logic: the smallest part that is closed.
@@ -85,6 +88,15 @@ pub fn claim(terms: &Terms, goal: TermId) -> Claim {
 pub fn noun(terms: &Terms, term: TermId) -> Noun {
     let formula = || Noun::Formula(print_human(terms, term));
     Teller { terms, depth: MAX_DEPTH }.noun(term).unwrap_or_else(formula)
+}
+
+/// The measure that a term of type `<e,n>` names.
+pub(super) fn measured(terms: &Terms, measure: TermId) -> Option<Measure> {
+    let Node::Lambda { body, .. } = terms.node(measure) else { return None };
+    match meaning(terms, body)? {
+        (Meaning::Measure(named), &[of]) if terms.node(of) == Node::Variable(0) => Some(named),
+        _ => None,
+    }
 }
 
 /// Takes terms apart, down to some depth; `None` where it knows no words and the term is not closed, so that the one
@@ -130,10 +142,13 @@ impl Teller<'_> {
         }
         let (article, property) = match meaning(self.terms, term)? {
             (Meaning::The, &[property]) => (Article::The, property),
-            (Meaning::Argmax, &[property, measure]) if self.is_size(measure) => {
-                (Article::Biggest, property)
-            }
-            (Meaning::Argmin, &[property, measure]) if self.is_size(measure) => {
+            (Meaning::Argmax, &[property, measure]) => match measured(self.terms, measure)? {
+                Measure::Size => (Article::Biggest, property),
+                Measure::Shade(shade) => (Article::Closest(shade), property),
+            },
+            (Meaning::Argmin, &[property, measure])
+                if measured(self.terms, measure) == Some(Measure::Size) =>
+            {
                 (Article::Smallest, property)
             }
             _ => return None,
@@ -179,12 +194,6 @@ impl Teller<'_> {
 
     fn each(self, terms: &[TermId]) -> Option<Vec<Claim>> {
         terms.iter().map(|&term| self.claim(term)).collect()
-    }
-
-    /// Whether a term is `size`.
-    fn is_size(self, measure: TermId) -> bool {
-        let Node::Lambda { body, .. } = self.terms.node(measure) else { return false };
-        matches!(meaning(self.terms, body), Some((Meaning::Size, &[of])) if self.terms.node(of) == Node::Variable(0))
     }
 
     /// The name of the constant that heads a term.

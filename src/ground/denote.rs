@@ -22,7 +22,7 @@ pub enum Failure {
     Tie(Vec<Entity>),
     /// There is a single candidate, and comparing takes two.
     Single(Entity),
-    /// The candidates are of several kinds, or have no size: they cannot be compared.
+    /// The candidates are of several kinds, or have no size or colour: they cannot be compared.
     Mixed(Vec<Entity>),
     /// A phrase inside it has no referent, or the variable it hangs on stands for nothing here.
     Inner,
@@ -168,7 +168,7 @@ impl<'a> Denotation<'a> {
 
     fn number(&mut self, term: TermId, env: &mut Env) -> Option<i64> {
         match meaning(self.terms, term)? {
-            (Meaning::Size, &[of]) => self.thing(of, env)?.size(),
+            (Meaning::Measure(measure), &[of]) => measure.of(self.thing(of, env)?),
             _ => None,
         }
     }

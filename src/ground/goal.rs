@@ -2,7 +2,7 @@
 //! all (invariant 4); what is left is a formula over entities that is asked of any later state.
 
 use super::denote::{Denotation, Env, Failure, meaning};
-use super::predicate::{Meaning, PREDICATES, Property, Relation, predicate};
+use super::predicate::{Meaning, Measure, PREDICATES, Property, Relation, predicate};
 use super::thing::{Entity, Thing};
 use crate::domain::State;
 use crate::logic::{Node, TermId, Terms};
@@ -99,11 +99,15 @@ fn check_constants(terms: &Terms, term: TermId) -> Result<(), GoalError> {
         }
         Node::Constant(constant) => {
             let name = terms.name(constant);
-            let Some(known) = predicate(name) else {
+            let found = terms.types.print(terms.constant_ty(constant));
+            // Who takes a shade for a property is told which colours there are.
+            let known = predicate(name).filter(|known| {
+                known.ty == found || !matches!(known.meaning, Meaning::Measure(Measure::Shade(_)))
+            });
+            let Some(known) = known else {
                 let known: Vec<&str> = PREDICATES.iter().map(|known| known.name).collect();
                 return Err(GoalError::Unknown { name: name.to_owned(), known: known.join(" ") });
             };
-            let found = terms.types.print(terms.constant_ty(constant));
             if found == known.ty {
                 return Ok(());
             }

@@ -2,6 +2,7 @@
 //! Determiners are resolved here and only here, in the initial state (invariant 4).
 
 pub mod class;
+pub mod shade;
 pub mod thing;
 pub mod predicate;
 pub mod denote;
@@ -22,7 +23,8 @@ pub use class::Class;
 pub use denote::Failure;
 pub use goal::{Formula, Goal, GoalError};
 pub use phrase::{Phrase, phrases};
-pub use predicate::{Meaning, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
+pub use predicate::{Meaning, Measure, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
+pub use shade::Shade;
 pub use task::{Task, TaskError, World};
 pub use thing::{Entity, Thing};
 pub use validate::{PairId, Side, Validator};

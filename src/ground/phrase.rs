@@ -1,10 +1,12 @@
 //! The phrases of a goal that stand for something in the world, and what each refers to, or why to nothing.
 
+use super::claim::measured;
 use super::denote::{Denotation, Failure, meaning};
 use super::goal::{GoalError, check};
-use super::predicate::Meaning;
+use super::predicate::{Meaning, Measure};
+use super::shade::Shade;
 use super::thing::Entity;
-use crate::domain::State;
+use crate::domain::{Color, State};
 use crate::logic::{Node, TermId, Terms};
 
 /// A phrase that stands for something in the world: `the`, `argmax` or `argmin` of something.
@@ -14,6 +16,8 @@ pub struct Phrase {
     pub term: TermId,
     /// What it refers to. A phrase around one that fails has no fault of its own: [`Failure::Inner`].
     pub referent: Result<Entity, Failure>,
+    /// For a phrase that names a shade and refers: the shade, and the colour that was taken for it.
+    pub taken: Option<(Shade, Color)>,
 }
 
 /// The closed phrases of a goal, each once, in the order of the goal, inner ones before those around them, and what
@@ -27,6 +31,17 @@ pub fn phrases(terms: &Terms, goal: TermId, initial: &State) -> Result<Vec<Phras
     let mut found = Vec::new();
     visit(terms, goal, &mut denotation, &mut found);
     if denotation.exhausted() { Err(GoalError::TooLarge) } else { Ok(found) }
+}
+
+/// The shade that a phrase picks the most like.
+fn shade(terms: &Terms, phrase: TermId) -> Option<Shade> {
+    match meaning(terms, phrase)? {
+        (Meaning::Argmax, &[_, measure]) => match measured(terms, measure)? {
+            Measure::Shade(shade) => Some(shade),
+            Measure::Size => None,
+        },
+        _ => None,
+    }
 }
 
 /// Whether some phrase at or below `term` fails; all are put into `found`.
@@ -53,11 +68,14 @@ fn visit(
     }
     let referent = match fails {
         true => Err(Failure::Inner),
-        false => denotation.referent(term, &mut Vec::new()).map(|at| denotation.entity(at)),
+        false => denotation.referent(term, &mut Vec::new()),
     };
+    let thing = referent.as_ref().ok().and_then(|&at| denotation.things.get(at));
+    let taken = shade(terms, term).zip(thing.and_then(|thing| thing.color()));
+    let referent = referent.map(|at| denotation.entity(at));
     fails = referent.is_err();
     if !found.iter().any(|known| known.term == term) {
-        found.push(Phrase { term, referent });
+        found.push(Phrase { term, referent, taken });
     }
     fails
 }

@@ -1,7 +1,8 @@
-//! What the constants of Cleanup World mean: one table of name, type and meaning. The ontology file holds the
-//! same names and types as data; a test keeps the two equal.
+//! What the constants of Cleanup World mean: one table of name, type and meaning, and the measures that are named
+//! after shades. The ontology file holds the same names and types as data; a test keeps the two equal.
 
 use super::class::Class;
+use super::shade::Shade;
 use super::thing::Thing;
 use crate::domain::{Color, Shape};
 
@@ -32,13 +33,22 @@ pub enum Relation {
     Eq,
 }
 
+/// What a thing has some number of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Measure {
+    /// How large it is.
+    Size,
+    /// How much its colour is like a shade.
+    Shade(Shade),
+}
+
 /// What a constant means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(missing_docs, reason = "the names are the constants'")]
 pub enum Meaning {
     Property(Property),
     Relation(Relation),
-    Size,
+    Measure(Measure),
     The,
     Argmax,
     Argmin,
@@ -112,6 +122,16 @@ impl Relation {
     }
 }
 
+impl Measure {
+    /// The number, of things that have one.
+    pub fn of(self, thing: Thing<'_>) -> Option<i64> {
+        match self {
+            Measure::Size => thing.size(),
+            Measure::Shade(shade) => thing.color().map(|color| shade.likeness(color)),
+        }
+    }
+}
+
 /// How many columns and rows `b` is east and north of `a`; neither may be a region.
 fn apart(a: Thing<'_>, b: Thing<'_>) -> Option<(i64, i64)> {
     let ((ax, ay), (bx, by)) = (a.cell()?, b.cell()?);
@@ -124,8 +144,17 @@ fn near(dx: i64, dy: i64) -> bool {
 }
 
 /// The meaning of a name, and the type it must have.
-pub fn predicate(name: &str) -> Option<&'static Predicate> {
-    PREDICATES.iter().find(|predicate| predicate.name == name)
+pub fn predicate(name: &str) -> Option<Predicate> {
+    let listed = PREDICATES.iter().find(|predicate| predicate.name == name);
+    listed.copied().or_else(|| Shade::named(name).map(shade))
+}
+
+fn shade(shade: Shade) -> Predicate {
+    measure(shade.name(), Measure::Shade(shade))
+}
+
+const fn measure(name: &'static str, measure: Measure) -> Predicate {
+    Predicate { name, ty: "<e,n>", meaning: Meaning::Measure(measure) }
 }
 
 const fn property(name: &'static str, property: Property) -> Predicate {
@@ -152,7 +181,7 @@ const fn other(name: &'static str, ty: &'static str, meaning: Meaning) -> Predic
     Predicate { name, ty, meaning }
 }
 
-/// The table: every constant that a goal may hold.
+/// The table: every constant that a goal may hold, but the shades.
 pub const PREDICATES: [Predicate; 34] = [
     class(Class::Agent),
     class(Class::Room),
@@ -173,7 +202,7 @@ pub const PREDICATES: [Predicate; 34] = [
     color(Color::Orange),
     color(Color::Tan),
     color(Color::Teal),
-    other("size", "<e,n>", Meaning::Size),
+    measure("size", Measure::Size),
     relation("in", Relation::In),
     relation("near", Relation::Near),
     relation("left", Relation::Left),

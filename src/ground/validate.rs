@@ -5,9 +5,9 @@
 use super::class::Class;
 use super::denote::{Env, lookup};
 use super::goal::Goal;
-use super::predicate::{Meaning, Property, Relation, predicate};
+use super::predicate::{Meaning, Measure, Property, Relation, predicate};
 use super::thing::Thing;
-use crate::domain::State;
+use crate::domain::{Color, State};
 use crate::logic::{ConstantId, Node, TermId, Terms};
 use indexmap::IndexSet;
 use rustc_hash::{FxBuildHasher, FxHashMap};
@@ -31,6 +31,7 @@ struct View {
     to: [Vec<Bits>; 4],
     from: [Vec<Bits>; 4],
     sizes: Vec<Option<i64>>,
+    colors: Vec<Option<Color>>,
 }
 
 /// The two views of a pair; `None` when it has too many entities.
@@ -174,6 +175,7 @@ impl View {
             to: Relation::SPATIAL.map(to),
             from: Relation::SPATIAL.map(from),
             sizes: things.iter().map(|thing| thing.and_then(Thing::size)).collect(),
+            colors: things.iter().map(|thing| thing.and_then(Thing::color)).collect(),
         }
     }
 
@@ -189,6 +191,13 @@ impl View {
 
     fn property(&self, property: Property) -> Bits {
         self.properties.get(property.index()).copied().unwrap_or(0)
+    }
+
+    fn number(&self, measure: Measure, at: usize) -> Option<i64> {
+        match measure {
+            Measure::Size => self.sizes.get(at).copied().flatten(),
+            Measure::Shade(shade) => Some(shade.likeness(self.colors.get(at).copied().flatten()?)),
+        }
     }
 }
 
@@ -406,9 +415,9 @@ impl<'a> Evaluator<'a> {
 
     fn number(&mut self, term: TermId, env: &mut Env) -> Option<Option<i64>> {
         match self.meaning(term)? {
-            (Meaning::Size, &[of]) => {
+            (Meaning::Measure(measure), &[of]) => {
                 let of = self.referent(of, env)?;
-                Some(of.and_then(|of| self.pre.sizes.get(of).copied().flatten()))
+                Some(of.and_then(|of| self.pre.number(measure, of)))
             }
             _ => None,
         }

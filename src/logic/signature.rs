@@ -1,6 +1,7 @@
 //! A signature: the constants that a language may speak of, each with its type, and of which sorts of entity its
 //! arguments can be. Text form: `name:type` a line, then, parted by spaces, the sorts of each argument, joined by
-//! `|` (any sort where nothing is said); a line `sorts` before them names the sorts; `#` begins a comment.
+//! `|` (any sort where nothing is said); a line `sorts` before them names the sorts; `*:type` admits every other name
+//! as a constant of that type, without being one; `#` begins a comment.
 
 use super::ty::{TyId, Types};
 use indexmap::IndexMap;
@@ -15,6 +16,8 @@ pub const MAX_SORTS: usize = SortSet::BITS as usize;
 pub struct Signature {
     sorts: Vec<String>,
     constants: IndexMap<String, Entry>,
+    /// The type of every other name.
+    others: Option<String>,
 }
 
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,6 +61,10 @@ impl Signature {
             }
             let (name, ty) = first.split_once(':').ok_or(error("a constant is name:type"))?;
             let ty = types.read(ty).ok_or(error("what follows the colon is not a type"))?;
+            if name == "*" {
+                signature.others = Some(types.print(ty));
+                continue;
+            }
             let arguments: Option<_> = fields.map(|set| signature.read_sorts(set)).collect();
             let arguments = arguments.ok_or(error("after the type come sorts, joined by |"))?;
             let entry = Entry { ty: types.print(ty), arguments };
@@ -79,7 +86,8 @@ impl Signature {
             let sets = arguments.iter().map(|&set| format!(" {}", self.print_sorts(set)));
             format!("{name}:{ty}{}\n", sets.collect::<String>())
         };
-        sorts + &self.constants.iter().map(constant).collect::<String>()
+        let others = self.others.iter().map(|ty| format!("*:{ty}\n"));
+        sorts + &self.constants.iter().map(constant).chain(others).collect::<String>()
     }
 
     fn read_sorts(&self, text: &str) -> Option<SortSet> {
@@ -102,10 +110,11 @@ impl Signature {
 
     /// The type of a name, in an arena's types.
     pub fn ty(&self, types: &mut Types, name: &str) -> Option<TyId> {
-        self.constants.get(name).and_then(|entry| types.read(&entry.ty))
+        let own = self.constants.get(name).map(|entry| &entry.ty);
+        own.or(self.others.as_ref()).and_then(|ty| types.read(ty))
     }
 
-    /// The names and the texts of their types, in order.
+    /// The constants' names and the texts of their types, in order.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
         self.constants.iter().map(|(name, entry)| (name.as_str(), entry.ty.as_str()))
     }

@@ -8,6 +8,8 @@ mod brute;
 mod chart;
 #[path = "ccg/files.rs"]
 mod files;
+#[path = "ccg/general.rs"]
+mod general;
 #[path = "ccg/normal.rs"]
 mod normal;
 #[path = "ccg/spelling.rs"]

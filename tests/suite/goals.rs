@@ -5,6 +5,8 @@
 mod cells;
 #[path = "goals/claims.rs"]
 mod claims;
+#[path = "goals/shades.rs"]
+mod shades;
 
 use groundling::domain::{Object, Plan, State, generate};
 use groundling::ground::{Entity, Failure, Goal, ONTOLOGY, PREDICATES, Side, Validator, phrases};
@@ -97,6 +99,14 @@ fn phrases_refer_or_say_why_not() {
         ("(argmax:<<e,t>,<<e,n>,e>> door:<e,t> size:<e,n>)", "single: 4 2 4 2"),
         ("(argmax:<<e,t>,<<e,n>,e>> agent:<e,t> size:<e,n>)", "single: agent"),
         ("(argmax:<<e,t>,<<e,n>,e>> red:<e,t> size:<e,n>)", "mixed: 0 0 4 4, c"),
+        ("(argmax:<<e,t>,<<e,n>,e>> room:<e,t> navy:<e,n>)", "4 0 8 4"),
+        ("(argmax:<<e,t>,<<e,n>,e>> chair:<e,t> crimson:<e,n>)", "c"),
+        ("(argmax:<<e,t>,<<e,n>,e>> room:<e,t> lime:<e,n>)", "tie: 0 0 4 4, 4 0 8 4"),
+        ("(argmax:<<e,t>,<<e,n>,e>> door:<e,t> navy:<e,n>)", "single: 4 2 4 2"),
+        (
+            "(argmax:<<e,t>,<<e,n>,e>> (lambda $0:e (or:<t*,t> (agent:<e,t> $0) (door:<e,t> $0))) navy:<e,n>)",
+            "mixed: agent, 4 2 4 2",
+        ),
         (
             "(the:<<e,t>,e> (lambda $0:e (and:<t*,t> (chair:<e,t> $0) (in:<e,<e,t>> $0 (the:<<e,t>,e> green:<e,t>)))))",
             "none; inner",
@@ -263,6 +273,9 @@ fn many_goals(terms: &mut Terms) -> Vec<TermId> {
     for noun in &nouns {
         phrases.push(format!("(the:<<e,t>,e> {noun})"));
         phrases.push(format!("(argmax:<<e,t>,<<e,n>,e>> {noun} size:<e,n>)"));
+    }
+    for noun in nouns.iter().step_by(3) {
+        phrases.push(format!("(argmax:<<e,t>,<<e,n>,e>> {noun} violet:<e,n>)"));
     }
     let mut goals = Vec::new();
     for (i, a) in phrases.iter().enumerate() {

@@ -195,6 +195,7 @@ fn described(english: &English, description: &Description) -> String {
     match article {
         Article::Biggest => adjectives.insert(0, "biggest"),
         Article::Smallest => adjectives.insert(0, "smallest"),
+        Article::Closest(shade) => adjectives.insert(0, shade.name()),
         Article::A | Article::The => {}
     }
     adjectives.push(&noun);

@@ -242,14 +242,22 @@ fn described(description: &Description, case: Case) -> String {
     let mut adjectives: Vec<&str> = match article {
         Article::Biggest => vec!["größt"],
         Article::Smallest => vec!["kleinst"],
-        Article::A | Article::The => Vec::new(),
+        Article::A | Article::The | Article::Closest(_) => Vec::new(),
     };
     adjectives.extend(colors.into_iter().map(adjective));
     let phrase = match article {
         Article::A => indefinite(&adjectives, &word, gender, case),
         _ => definite(&adjectives, &word, gender, case),
     };
-    let after: Vec<String> = claims.iter().map(|claim| relative(claim, gender)).collect();
+    // The shades have English names only.
+    let shade = match (article, gender) {
+        (Article::Closest(shade), Feminine) => Some(("deren", shade.name())),
+        (Article::Closest(shade), _) => Some(("dessen", shade.name())),
+        _ => None,
+    };
+    let shade = shade.map(|(whose, name)| format!("{whose} Farbe „{name}“ am nächsten kommt"));
+    let claims = claims.iter().map(|claim| relative(claim, gender));
+    let after: Vec<String> = shade.into_iter().chain(claims).collect();
     if after.is_empty() { phrase } else { format!("{phrase}, {}", after.join(" und ")) }
 }
 

@@ -79,6 +79,7 @@ fn described(what: &Description) -> String {
         Article::The => "the",
         Article::Biggest => "biggest",
         Article::Smallest => "smallest",
+        Article::Closest(shade) => shade.name(),
     };
     let words = std::iter::once(article).chain(what.properties.iter().map(|p| &**p));
     let words = words.collect::<Vec<_>>().join(" ");

@@ -42,7 +42,8 @@ fn nouns_are_what_only_one_sort_can_be() {
 fn a_signature_with_sorts_reads_back() {
     let plain = "red:<e,t>\nin:<e,<e,t>>\n";
     let text = "sorts thing place\nred:<e,t> thing|place\nin:<e,<e,t>> thing place\neq:<e,<e,t>>\n";
-    for text in [plain, text, "", &Signature::read(ONTOLOGY).unwrap().print()] {
+    let other = "red:<e,t>\n*:<e,n>\n";
+    for text in [plain, text, other, "", &Signature::read(ONTOLOGY).unwrap().print()] {
         let read = Signature::read(text).unwrap();
         assert_eq!(read.print(), text);
         assert_eq!(Signature::read(&read.print()).unwrap(), read);

@@ -1,0 +1,183 @@
+//! A general resource: what words that the lexicon does not know may stand for, at a price. Its targets are words of
+//! a seed lexicon ("armchair" is a chair), or measures ("violet"), which have frames of their own, since no lexicon
+//! lists them. What the lexicon knows of a word, above all what was learned, goes before.
+
+use super::category::Category;
+use super::lexicon::EntryId;
+use super::lexicon::Origin;
+use super::lexicon_text::{SEED, seed_weight};
+use super::model::Model;
+use super::syntax::Syntaxes;
+use crate::logic::{LogicError, Terms, read};
+use rustc_hash::FxHashMap;
+
+/// What a step away from a word costs, in units of a score: a seed entry of one word scores twice [`SEED`].
+const STEP: f64 = 1.0;
+/// What stands for a measure in a frame.
+const HOLE: &str = "?:<e,n>";
+
+/// Words and what they may stand for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct General {
+    frames: Vec<Frame>,
+    words: FxHashMap<Box<str>, Box<[Near]>>,
+    longest: usize,
+}
+
+/// A category of measures, as text: the hole stands for the measure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Frame {
+    syntax: Box<str>,
+    meaning: Box<str>,
+}
+
+/// Something that words may stand for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Near {
+    /// What it is.
+    pub target: Target,
+    /// How far it is from what the words mean, in steps, at least one.
+    pub price: u8,
+}
+
+/// What words may stand for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A word of the lexicon.
+    Word(Box<str>),
+    /// A measure, by its constant `name:<e,n>`.
+    Measure(Box<str>),
+}
+
+/// An entry by which words can be understood that the lexicon does not know.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Understood {
+    /// The entry: a target's own, or a candidate.
+    pub entry: EntryId,
+    /// What it scores over these words.
+    pub score: f64,
+}
+
+/// What is wrong with a general resource's text.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}: {reason}")]
+pub struct GeneralError {
+    /// The line, from 1.
+    pub line: usize,
+    /// What is wrong there.
+    pub reason: &'static str,
+}
+
+impl General {
+    /// Reads a resource: frames `* :- SYNTAX : meaning`, then words, a tab and targets, each a word or a constant,
+    /// with `=price` behind it if that is not 1; `#` begins a comment.
+    ///
+    /// # Errors
+    /// With the line and what is wrong there.
+    pub fn read(text: &str) -> Result<General, GeneralError> {
+        let mut general = General::default();
+        for (line, content) in (1..).zip(text.lines()) {
+            if content.is_empty() || content.starts_with('#') {
+                continue;
+            }
+            general.read_line(content).map_err(|reason| GeneralError { line, reason })?;
+        }
+        Ok(general)
+    }
+
+    fn read_line(&mut self, line: &str) -> Result<(), &'static str> {
+        if let Some(category) = line.strip_prefix("* :- ") {
+            self.frames.push(read_frame(category)?);
+            return Ok(());
+        }
+        let (words, targets) = line.split_once('\t').ok_or("between words and targets is a tab")?;
+        let near: Result<Box<[Near]>, _> = targets.split(' ').map(read_near).collect();
+        self.longest = self.longest.max(words.split(' ').count());
+        match self.words.insert(words.into(), near?) {
+            Some(_) => Err("these words have a line already"),
+            None => Ok(()),
+        }
+    }
+
+    /// What the words, parted by spaces, may stand for, the nearest first.
+    pub fn near(&self, words: &str) -> &[Near] {
+        self.words.get(words).map_or(&[], |near| near)
+    }
+
+    /// The most words that stand for something together.
+    pub fn longest(&self) -> usize {
+        self.longest
+    }
+
+    /// The entries by which the words can be understood with a model, those of the nearest target first: a target's
+    /// own for a word; for a measure candidates, which are no part of the lexicon.
+    ///
+    /// # Errors
+    /// When a measure's category is too large.
+    pub fn entries(
+        &self,
+        model: &mut Model,
+        words: &[String],
+    ) -> Result<Vec<Understood>, LogicError> {
+        let mut found = Vec::new();
+        for Near { target, price } in self.near(&words.join(" ")) {
+            let price = STEP * f64::from(*price);
+            match target {
+                Target::Word(word) => {
+                    for &entry in model.lexicon.entries_for_word(word) {
+                        if !model.lexicon.is_empty_entry(entry) {
+                            let score = model.entry_score(entry) - price;
+                            found.push(Understood { entry, score });
+                        }
+                    }
+                }
+                Target::Measure(constant) => {
+                    for frame in &self.frames {
+                        let Some(category) = frame.category(model, constant) else { continue };
+                        let words = words.iter().map(|word| Box::from(word.as_str())).collect();
+                        let Model { lexicon, grammar, .. } = model;
+                        let entry =
+                            lexicon.add_category(grammar, words, category, Origin::Candidate)?;
+                        // As if the seed lexicon had it.
+                        let score = SEED + seed_weight(1) - price;
+                        found.push(Understood { entry, score });
+                    }
+                }
+            }
+        }
+        Ok(found)
+    }
+}
+
+impl Frame {
+    /// The category of a measure.
+    fn category(&self, model: &mut Model, constant: &str) -> Option<Category> {
+        let syntax = model.grammar.syntaxes.read(&self.syntax)?;
+        let meaning = self.meaning.replace(HOLE, constant);
+        Some(Category { syntax, meaning: read(&mut model.grammar.terms, &meaning).ok()? })
+    }
+}
+
+fn read_frame(text: &str) -> Result<Frame, &'static str> {
+    let (syntax, meaning) =
+        text.split_once(" : ").ok_or("between category and meaning stands a colon")?;
+    Syntaxes::default().read(syntax).ok_or("a frame has a syntactic category")?;
+    read(&mut Terms::new(), meaning).map_err(|_| "a frame's meaning is a term")?;
+    if !meaning.contains(HOLE) {
+        return Err("a frame has a hole ?:<e,n>");
+    }
+    Ok(Frame { syntax: syntax.into(), meaning: meaning.into() })
+}
+
+fn read_near(text: &str) -> Result<Near, &'static str> {
+    let (target, price) = text.split_once('=').unwrap_or((text, "1"));
+    let price =
+        price.parse().ok().filter(|&price| price > 0).ok_or("a price is a number from 1")?;
+    let target = match target.split_once(':') {
+        _ if target.is_empty() => return Err("a target is a word, or name:<e,n>"),
+        None => Target::Word(target.into()),
+        Some((_, "<e,n>")) => Target::Measure(target.into()),
+        Some(_) => return Err("a measure has type <e,n>"),
+    };
+    Ok(Near { target, price })
+}

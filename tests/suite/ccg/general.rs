@@ -1,0 +1,190 @@
+//! The general resource: what it takes words for, `tests/data/ccg/general.txt`; that it touches no closed word; and
+//! the entries it makes.
+
+use super::{model, model_over};
+use crate::logic::cases;
+use groundling::ccg::{EntryId, General, Near, Target};
+use groundling::ground::{ONTOLOGY, Shade};
+use groundling::learn::seed_model;
+use groundling::logic::print;
+use std::collections::BTreeSet;
+
+const WORDS: &str = include_str!("../../../assets/lexicon/words.txt");
+const SEED: &str = include_str!("../../../assets/lexicon/cleanup.txt");
+
+/// Words that turn round, exclude, join or order, or take a thing or the robot away from where it is.
+const CLOSED: [&str; 62] = [
+    "not",
+    "n't",
+    "cannot",
+    "never",
+    "no",
+    "none",
+    "neither",
+    "nor",
+    "without",
+    "except",
+    "but",
+    "other",
+    "non",
+    "instead",
+    "unless",
+    "stop",
+    "refrain",
+    "forbidden",
+    "out",
+    "away",
+    "off",
+    "avoid",
+    "leave",
+    "vacate",
+    "depart",
+    "remove",
+    "keep",
+    "stay",
+    "longer",
+    "then",
+    "first",
+    "afterwards",
+    "after",
+    "before",
+    "until",
+    "while",
+    "through",
+    "via",
+    "pass",
+    "or",
+    "either",
+    "both",
+    "well",
+    "only",
+    "and",
+    "exit",
+    "abandon",
+    "flee",
+    "escape",
+    "withdraw",
+    "retreat",
+    "back",
+    "from",
+    "leaving",
+    "leaves",
+    "exits",
+    "avoiding",
+    "removing",
+    "stopping",
+    "passing",
+    "quit",
+    "evacuate",
+];
+
+fn general() -> General {
+    General::read(WORDS).unwrap()
+}
+
+fn target(near: &Near) -> &str {
+    match &near.target {
+        Target::Word(text) | Target::Measure(text) => text,
+    }
+}
+
+#[test]
+fn words_stand_for_what_people_mean_by_them() {
+    let general = general();
+    cases(include_str!("../../data/ccg/general.txt"), 100, |line, input, expected| {
+        let found: Vec<&str> = general.near(input).iter().map(target).collect();
+        let wanted = if expected == "-" { "" } else { expected };
+        assert_eq!(found.join(" "), wanted, "line {line}: {input}");
+    });
+}
+
+#[test]
+fn every_line_leads_from_a_word_that_the_seed_gives_no_meaning_to_one_that_it_does() {
+    let (general, model) = (general(), seed_model(SEED).unwrap());
+    let shades: BTreeSet<String> =
+        Shade::all().map(|shade| format!("{}:<e,n>", shade.name())).collect();
+    let means = |entries: &[EntryId]| entries.iter().any(|&e| !model.lexicon.is_empty_entry(e));
+    let mut named = BTreeSet::new();
+    for line in WORDS.lines().filter(|line| line.contains('\t')) {
+        let words = line.split('\t').next().unwrap();
+        let parts: Vec<Box<str>> = words.split(' ').map(Box::from).collect();
+        assert!(parts.iter().all(|part| !CLOSED.contains(&&**part)), "{line}");
+        assert!(parts.len() <= general.longest());
+        assert!(!means(model.lexicon.entries_for(&parts)), "{line}: the seed has it");
+        let near = general.near(words);
+        assert!(near.is_sorted_by_key(|near| near.price) && near.len() <= 4, "{line}");
+        for near in near {
+            match &near.target {
+                Target::Word(word) => {
+                    assert!(means(model.lexicon.entries_for_word(word)), "{line}: {word}");
+                    assert!(!CLOSED.contains(&&**word), "{line}");
+                }
+                Target::Measure(constant) => {
+                    assert!(shades.contains(&**constant), "{line}: {constant}");
+                    named.insert(constant.to_string());
+                }
+            }
+        }
+    }
+    assert_eq!(named, shades, "every shade has its name");
+}
+
+#[test]
+fn entries_are_those_of_the_target_at_a_price() {
+    let mut model = model_over(ONTOLOGY, "chair | box :- N : chair:<e,t>\nbox :- EMPTY : true:t");
+    let general = General::read("stool\tchair\nhamper\tbox=3 basket\n").unwrap();
+    let said = |word: &str| vec![word.to_owned()];
+    let [chair, box_] = ["chair", "box"].map(|word| model.lexicon.entries_for_word(word)[0]);
+    let whole = model.entry_score(chair);
+    let found = general.entries(&mut model, &said("stool")).unwrap();
+    assert_eq!(found.len(), 1);
+    assert_eq!((found[0].entry, found[0].score), (chair, whole - 1.0));
+    // The entry by which a target may mean nothing is none; a target that the lexicon lacks gives nothing.
+    let found = general.entries(&mut model, &said("hamper")).unwrap();
+    assert_eq!(found.len(), 1);
+    assert_eq!((found[0].entry, found[0].score), (box_, whole - 3.0));
+    assert_eq!(general.entries(&mut model, &said("chair")).unwrap(), []);
+}
+
+#[test]
+fn a_measure_is_put_into_the_frames_and_stays_out_of_the_lexicon() {
+    let mut model = seed_model(SEED).unwrap();
+    let (before, known) = (model.print(), model.lexicon.len());
+    let words = ["navy", "blue"].map(str::to_owned);
+    let found = general().entries(&mut model, &words).unwrap();
+    let texts: Vec<String> = found
+        .iter()
+        .map(|found| {
+            let category = model.lexicon.category(found.entry);
+            let syntax = model.grammar.syntaxes.text(category.syntax);
+            format!("{syntax} {} {}", print(&model.grammar.terms, category.meaning), found.score)
+        })
+        .collect();
+    let measure = "(lambda $0:<e,t> (argmax:<<e,t>,<<e,n>,e>> (lambda $1:e ($0 $1)) (lambda $1:e (navy:<e,n> $1))))";
+    assert_eq!(texts[..2], [format!("NP/N {measure} 5"), format!("NP\\N {measure} 5")]);
+    assert!(texts[2].starts_with("N/N ") && texts[2].contains("(blue:<e,t> $1)"), "{texts:?}");
+    assert_eq!(model.lexicon.len(), known);
+    assert!(!model.lexicon.knows("navy"));
+    assert_eq!(model.print(), before);
+}
+
+#[test]
+fn a_resource_that_cannot_be_read_says_where() {
+    for (text, line, reason) in [
+        ("stool chair", 1, "between words and targets is a tab"),
+        ("# words\nstool\tchair\nstool\tbox", 3, "these words have a line already"),
+        ("stool\tchair=0", 1, "a price is a number from 1"),
+        ("stool\tchair=x", 1, "a price is a number from 1"),
+        ("stool\t=2", 1, "a target is a word, or name:<e,n>"),
+        ("violet\tviolet:<e,t>", 1, "a measure has type <e,n>"),
+        ("* :- N", 1, "between category and meaning stands a colon"),
+        ("* :- Q : ?:<e,n>", 1, "a frame has a syntactic category"),
+        ("* :- N : (", 1, "a frame's meaning is a term"),
+        ("* :- N : room:<e,t>", 1, "a frame has a hole ?:<e,n>"),
+    ] {
+        let error = General::read(text).unwrap_err();
+        assert_eq!((error.line, error.reason), (line, reason), "{text}");
+    }
+    assert_eq!(General::read("").unwrap(), General::default());
+    assert_eq!(model("").lexicon.len(), 0);
+}
