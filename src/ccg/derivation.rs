@@ -5,6 +5,7 @@ use super::category::Category;
 use super::chart::{Chart, Step};
 use super::combinator::{Grammar, RuleId, Side};
 use super::features::{Feature, root_features};
+use super::hearing::taken;
 use super::lexicon::EntryId;
 use super::model::Model;
 use crate::logic::{TermId, print_human};
@@ -146,15 +147,19 @@ impl Derivation {
         for at in self.absorbed() {
             features.extend(model.absorption_features(&words[at], empty[at]));
         }
-        self.collect_features(model, &mut features);
+        self.collect_features(model, words, &mut features);
         features
     }
 
-    fn collect_features(&self, model: &Model, found: &mut Vec<Feature>) {
+    fn collect_features(&self, model: &Model, words: &[String], found: &mut Vec<Feature>) {
         match self {
-            Derivation::Leaf { entry, .. } => found.extend(model.entry_features(*entry)),
+            Derivation::Leaf { own: (start, end), entry, .. } => {
+                found.extend(model.entry_features(*entry));
+                let taken = taken(model, &words[*start..*end], *entry);
+                found.extend(taken.into_iter().flat_map(|(_, features)| features));
+            }
             Derivation::Node { rule, children, category } => {
-                children.iter().for_each(|child| child.collect_features(model, found));
+                children.iter().for_each(|child| child.collect_features(model, words, found));
                 found.push(Feature::Rule(*rule));
                 let parts: Vec<TermId> = children.iter().map(|c| c.category().meaning).collect();
                 let lost = model.grammar.lost(&parts, category.meaning) as usize;

@@ -1,13 +1,12 @@
 //! Why a reading has its score: which entries, rules and features it used and what each added. What they add, summed
 //! from the first to the last, is the score to the last bit.
 
-use super::absorb::empty_entries;
 use super::derivation::Derivation;
 use super::features::Feature;
+use super::hearing::Hearing;
 use super::lexicon::{EntryId, Origin};
 use super::model::Model;
 use super::parse::{Parse, Reading};
-use super::spelling::heard;
 use crate::logic::print;
 use serde::{Deserialize, Serialize};
 
@@ -65,8 +64,7 @@ impl EntryText {
 impl Explanation {
     /// Explains a reading of a parse that the model made.
     pub fn of(model: &Model, parse: &Parse, reading: Reading) -> Self {
-        let words = heard(&model.lexicon, &parse.words);
-        let empty = empty_entries(model, &words);
+        let Hearing { words, empty, .. } = Hearing::new(model, &parse.words);
         let derivation = parse.derivation(reading);
         let occurring = derivation.features(model, reading.form, &words, &empty);
         let parts = parts(model, &occurring);

@@ -4,7 +4,7 @@
 use crate::logic::{ConstantId, LogicError, Node, TermId, Terms};
 
 /// The constants that never become a hole: they are the frame that words fill.
-const FRAME: [&str; 6] = ["and", "or", "true", "false", "the", "exists"];
+const FRAME: [&str; 7] = ["and", "or", "not", "true", "false", "the", "exists"];
 
 /// Constants in the order of their first occurrence, and the meaning abstracted over them in that order.
 pub struct Factored {

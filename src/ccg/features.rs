@@ -23,6 +23,10 @@ pub enum Feature {
     Dropped,
     /// A step leaves out a predicate that words brought in: an afterthought, a clause that sets no goal.
     Lost,
+    /// A word is taken for another that a general resource has it near: once a step.
+    Far,
+    /// A word is taken for a measure, such as a shade.
+    Measure,
     /// Two different predicates occur anywhere in the goal (Williams et al., Section IV-B-1: it tells `in` from
     /// `near` when the words do not). The first name is the smaller.
     Pair(ConstantId, ConstantId),
@@ -40,7 +44,10 @@ impl Feature {
     /// Whether training moves its weight. What is said is meant, in any corpus: what it costs to leave words out
     /// is a price set once, else what the trained tasks can do without is left out of those never seen.
     pub fn is_learned(self) -> bool {
-        !matches!(self, Feature::Skip | Feature::Dropped | Feature::Lost)
+        !matches!(
+            self,
+            Feature::Skip | Feature::Dropped | Feature::Lost | Feature::Far | Feature::Measure
+        )
     }
 
     /// How much one occurrence counts.
@@ -55,6 +62,8 @@ impl Feature {
             | Feature::Skip
             | Feature::Dropped
             | Feature::Lost
+            | Feature::Far
+            | Feature::Measure
             | Feature::Conjoined(..)
             | Feature::Alone(_) => 1.0,
         }

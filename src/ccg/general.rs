@@ -2,17 +2,10 @@
 //! a seed lexicon ("armchair" is a chair), or measures ("violet"), which have frames of their own, since no lexicon
 //! lists them. What the lexicon knows of a word, above all what was learned, goes before.
 
-use super::category::Category;
-use super::lexicon::EntryId;
-use super::lexicon::Origin;
-use super::lexicon_text::{SEED, seed_weight};
-use super::model::Model;
 use super::syntax::Syntaxes;
-use crate::logic::{LogicError, Terms, read};
+use crate::logic::{Terms, read};
 use rustc_hash::FxHashMap;
 
-/// What a step away from a word costs, in units of a score: a seed entry of one word scores twice [`SEED`].
-const STEP: f64 = 1.0;
 /// What stands for a measure in a frame.
 const HOLE: &str = "?:<e,n>";
 
@@ -47,15 +40,6 @@ pub enum Target {
     Word(Box<str>),
     /// A measure, by its constant `name:<e,n>`.
     Measure(Box<str>),
-}
-
-/// An entry by which words can be understood that the lexicon does not know.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Understood {
-    /// The entry: a target's own, or a candidate.
-    pub entry: EntryId,
-    /// What it scores over these words.
-    pub score: f64,
 }
 
 /// What is wrong with a general resource's text.
@@ -104,57 +88,20 @@ impl General {
         self.words.get(words).map_or(&[], |near| near)
     }
 
+    /// Whether it knows the word at all.
+    pub fn is_word(&self, word: &str) -> bool {
+        self.words.contains_key(word)
+    }
+
     /// The most words that stand for something together.
     pub fn longest(&self) -> usize {
         self.longest
     }
 
-    /// The entries by which the words can be understood with a model, those of the nearest target first: a target's
-    /// own for a word; for a measure candidates, which are no part of the lexicon.
-    ///
-    /// # Errors
-    /// When a measure's category is too large.
-    pub fn entries(
-        &self,
-        model: &mut Model,
-        words: &[String],
-    ) -> Result<Vec<Understood>, LogicError> {
-        let mut found = Vec::new();
-        for Near { target, price } in self.near(&words.join(" ")) {
-            let price = STEP * f64::from(*price);
-            match target {
-                Target::Word(word) => {
-                    for &entry in model.lexicon.entries_for_word(word) {
-                        if !model.lexicon.is_empty_entry(entry) {
-                            let score = model.entry_score(entry) - price;
-                            found.push(Understood { entry, score });
-                        }
-                    }
-                }
-                Target::Measure(constant) => {
-                    for frame in &self.frames {
-                        let Some(category) = frame.category(model, constant) else { continue };
-                        let words = words.iter().map(|word| Box::from(word.as_str())).collect();
-                        let Model { lexicon, grammar, .. } = model;
-                        let entry =
-                            lexicon.add_category(grammar, words, category, Origin::Candidate)?;
-                        // As if the seed lexicon had it.
-                        let score = SEED + seed_weight(1) - price;
-                        found.push(Understood { entry, score });
-                    }
-                }
-            }
-        }
-        Ok(found)
-    }
-}
-
-impl Frame {
-    /// The category of a measure.
-    fn category(&self, model: &mut Model, constant: &str) -> Option<Category> {
-        let syntax = model.grammar.syntaxes.read(&self.syntax)?;
-        let meaning = self.meaning.replace(HOLE, constant);
-        Some(Category { syntax, meaning: read(&mut model.grammar.terms, &meaning).ok()? })
+    /// How a measure's constant can be used: syntax and meaning, as text.
+    pub fn categories(&self, constant: &str) -> impl Iterator<Item = (&str, String)> {
+        let meaning = |frame: &Frame| frame.meaning.replace(HOLE, constant);
+        self.frames.iter().map(move |frame| (&*frame.syntax, meaning(frame)))
     }
 }
 

@@ -202,6 +202,11 @@ impl Lexicon {
             && !entries.iter().any(may_be_empty)
     }
 
+    /// Whether an entry for the word alone says more than that it means nothing.
+    pub fn has_meaning(&self, word: &str) -> bool {
+        self.entries_for_word(word).iter().any(|&id| !self.is_empty_entry(id))
+    }
+
     /// The words that occur in entries of the lexicon proper, in no particular order.
     pub(super) fn vocabulary(&self) -> impl Iterator<Item = &str> {
         self.vocabulary.iter().map(|word| &**word)

@@ -3,12 +3,19 @@
 
 use super::combinator::{Grammar, Shift};
 use super::features::{Feature, Features};
+use super::general::General;
 use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
 use crate::logic::{ConstantId, Signature, Sorts, TermId, print, read};
 use indexmap::IndexMap;
+use std::sync::Arc;
 
 /// The first line of a model file.
 const HEADER: &str = "groundling model 1";
+
+/// What a step away from a word costs.
+const FAR: f64 = -2.0;
+/// What a measure scores, as if a seed lexicon had it.
+const MEASURE: f64 = 12.0;
 
 /// Type shifts that a grammar may have: rules are numbered in a byte.
 const MAX_SHIFTS: usize = 64;
@@ -26,6 +33,8 @@ pub struct Model {
     pub signature: Signature,
     /// Settings, seed, corpus: name and value, in order.
     pub facts: IndexMap<String, String>,
+    /// What words that the lexicon does not know may stand for. No part of a model file.
+    general: Arc<General>,
 }
 
 /// What is wrong with a model file.
@@ -43,6 +52,18 @@ impl Model {
     pub fn set_signature(&mut self, signature: Signature) {
         self.grammar.sorts = Sorts::new(&signature);
         self.signature = signature;
+    }
+
+    /// Understands words that the lexicon does not know by a general resource, from now on.
+    pub fn attach(&mut self, general: Arc<General>) {
+        self.features.set(Feature::Far, FAR);
+        self.features.set(Feature::Measure, MEASURE);
+        self.general = general;
+    }
+
+    /// What words that the lexicon does not know may stand for.
+    pub fn general(&self) -> &Arc<General> {
+        &self.general
     }
 
     /// What an entry of the lexicon, or a candidate, scores.
@@ -340,6 +361,8 @@ impl Model {
             Feature::Skip => "skip".to_owned(),
             Feature::Dropped => "dropped".to_owned(),
             Feature::Lost => "lost".to_owned(),
+            Feature::Far => "far".to_owned(),
+            Feature::Measure => "measure".to_owned(),
             Feature::Pair(a, b) => format!("pair\t{}\t{}", self.constant(a), self.constant(b)),
             Feature::Conjoined(a, b) => {
                 format!("conjoined\t{}\t{}", self.constant(a), self.constant(b))
@@ -371,6 +394,8 @@ impl Model {
             ["skip"] => Feature::Skip,
             ["dropped"] => Feature::Dropped,
             ["lost"] => Feature::Lost,
+            ["far"] => Feature::Far,
+            ["measure"] => Feature::Measure,
             ["pair", a, b] => Feature::Pair(self.read_constant(a)?, self.read_constant(b)?),
             ["conjoined", a, b] => {
                 Feature::Conjoined(self.read_constant(a)?, self.read_constant(b)?)

@@ -2,17 +2,17 @@
 //! skips words or throws meanings away, and says which; when there is no single answer, why. No reading is silent about a
 //! closed word: what can be read only without one is no answer.
 
-use super::absorb::{Leniency, absorbing, absorption, empty_entries};
+use super::absorb::{Leniency, absorbing, absorption};
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Lexical};
-use super::closed::{Kind, closed};
+use super::closed::Kind;
 use super::combinator::Grammar;
 use super::derivation::Derivation;
 use super::features::root_features;
-use super::lexicon::{EntryId, Origin};
+use super::hearing::{Hearing, taken};
+use super::lexicon::EntryId;
 use super::model::Model;
 use super::sentence::{MAX_WORDS, words};
-use super::spelling::heard;
 use crate::logic::{Node, TermId, Terms, TyId, print, ty};
 use rustc_hash::FxHashMap;
 
@@ -64,6 +64,9 @@ pub struct Parse {
     pub readings: Vec<Reading>,
     /// Words that the best reading skips: not empty exactly when the skipping parse answered.
     pub skipped: Vec<String>,
+    /// Words that the best reading takes for others, the first and one past the last, with what for: misspelt ones, and
+    /// those that the lexicon does not know.
+    pub heard: Vec<((usize, usize), String)>,
     /// Why there is no single answer.
     pub reason: Option<Reason>,
     /// Derivations tried, in both passes.
@@ -122,30 +125,29 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
         let chart =
             Chart::fill(&mut model.grammar, &model.features, 0, Vec::new(), |_, _, _| true, config);
         let (readings, skipped) = (Vec::new(), Vec::new());
-        return Parse { words, readings, skipped, reason, tried: 0, chart };
+        return Parse { words, readings, skipped, heard: Vec::new(), reason, tried: 0, chart };
     }
-    let heard = heard(&model.lexicon, &words);
-    let closed = closed(&heard);
-    let empty = empty_entries(model, &heard);
-    let mut parse = fill_at(model, &heard, &empty, Leniency::Learned, config);
+    let hearing = Hearing::new(model, &words);
+    let Hearing { words: heard, closed, empty } = &hearing;
+    let mut parse = fill_at(model, &hearing, Leniency::Learned, config);
     for leniency in [Leniency::Unknown, Leniency::Any] {
         if parse.readings.is_empty() {
             let allow_throwing = leniency == Leniency::Any;
             let config = ChartConfig { allow_throwing, ..config };
-            let next = fill_at(model, &heard, &empty, leniency, config);
+            let next = fill_at(model, &hearing, leniency, config);
             parse = parse.or_else(next);
         }
     }
     if parse.readings.is_empty() {
-        let part = pieces(&closed).find_map(|piece| {
-            let part = fill_piece(model, &heard, &empty, piece, config);
+        let part = pieces(closed).find_map(|piece| {
+            let part = fill_piece(model, &hearing, piece, config);
             (!part.readings.is_empty()).then_some(part)
         });
         parse = part.map_or(parse.clone(), |part| parse.or_else(part));
     }
     let is_closed = closed.iter().any(Option::is_some);
     if let Some(&best) = parse.readings.first() {
-        let left_out = left_out(&model.grammar, &parse.derivation(best), &empty);
+        let left_out = left_out(&model.grammar, &parse.derivation(best), empty);
         // Beside a closed word what is left out may be half of what it speaks of.
         let is_goal = |&(_, thrown): &(usize, Option<TyId>)| thrown == Some(ty::TRUTH);
         if is_closed && !left_out.is_empty() || left_out.iter().any(is_goal) {
@@ -157,14 +159,35 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
     } else if !heard.iter().all(|word| model.lexicon.knows(word)) && !is_closed {
         parse.reason = Some(Reason::UnknownWords);
     } else if is_closed {
-        let lost = words.iter().zip(&closed).filter(|(_, closed)| closed.is_some());
+        let lost = words.iter().zip(closed).filter(|(_, closed)| closed.is_some());
         parse.skipped = lost.map(|(word, _)| word.clone()).collect();
         parse.reason = Some(Reason::LeftOut);
     } else {
         parse.reason = Some(Reason::NoParse);
     }
+    parse.heard = taken_for(model, &parse, &hearing, &words);
     parse.words = words;
     parse
+}
+
+/// The words that the best reading takes for others: those that are spelt otherwise, and those of a leaf whose entry is
+/// another word's.
+fn taken_for(
+    model: &Model,
+    parse: &Parse,
+    hearing: &Hearing,
+    words: &[String],
+) -> Vec<((usize, usize), String)> {
+    let Some(&best) = parse.readings.first() else { return Vec::new() };
+    let mut found = Vec::new();
+    for leaf in parse.derivation(best).leaves() {
+        let Derivation::Leaf { own: (start, end), entry, .. } = *leaf else { continue };
+        let spelt = (start..end).filter(|&at| words[at] != hearing.words[at]);
+        found.extend(spelt.map(|at| ((at, at + 1), hearing.words[at].clone())));
+        let taken = taken(model, &hearing.words[start..end], entry);
+        found.extend(taken.map(|(name, _)| ((start, end), name)));
+    }
+    found
 }
 
 /// The places of the words that a reading leaves out, in order: those that are skipped, and those whose meaning is
@@ -204,29 +227,28 @@ fn pieces(closed: &[Option<Kind>]) -> impl Iterator<Item = (usize, usize)> {
 /// What a stretch of the sentence alone would mean.
 fn fill_piece(
     model: &mut Model,
-    words: &[String],
-    empty: &[Option<EntryId>],
+    hearing: &Hearing,
     (start, end): (usize, usize),
     config: ChartConfig,
 ) -> Parse {
+    let Hearing { words, empty, .. } = hearing;
     let mut costs = absorption(model, words, empty, Leniency::Learned);
     let outside = (0..words.len()).filter(|at| !(start..end).contains(at));
     outside.for_each(|at| costs[at] = Some(0.0));
-    let mut items = lexical_items(model, words);
+    let mut items = hearing.items(model);
     items.retain(|item| start <= item.start && item.end <= end);
     fill(model, words, absorbing(items, &costs), |_, _, _| true, config)
 }
 
 fn fill_at(
     model: &mut Model,
-    words: &[String],
-    empty: &[Option<EntryId>],
+    hearing: &Hearing,
     leniency: Leniency,
     config: ChartConfig,
 ) -> Parse {
-    let costs = absorption(model, words, empty, leniency);
-    let items = absorbing(lexical_items(model, words), &costs);
-    fill(model, words, items, |_, _, _| true, config)
+    let costs = absorption(model, &hearing.words, &hearing.empty, leniency);
+    let items = absorbing(hearing.items(model), &costs);
+    fill(model, &hearing.words, items, |_, _, _| true, config)
 }
 
 /// Parses words from given lexical items, whose `item` is an entry's number, without the edges that `admit`
@@ -243,44 +265,12 @@ pub fn fill(
     let readings = readings(model, &chart);
     let tried = chart.tried;
     let words = words.to_vec();
-    let mut parse = Parse { words, readings, skipped: Vec::new(), reason: None, tried, chart };
+    let (skipped, heard) = (Vec::new(), Vec::new());
+    let mut parse = Parse { words, readings, skipped, heard, reason: None, tried, chart };
     if parse.tied() > 1 {
         parse.reason = Some(Reason::Tie);
     }
     parse
-}
-
-/// The lexicon's categories for every span of the words.
-pub fn lexical_items(model: &Model, words: &[String]) -> Vec<Lexical> {
-    let words: Vec<Box<str>> = words.iter().map(|word| Box::from(word.as_str())).collect();
-    let mut items = Vec::new();
-    let closed = closed(&words);
-    for start in 0..words.len() {
-        let longest = (start + model.lexicon.longest()).min(words.len());
-        for end in start + 1..=longest {
-            let is_closed = closed[start..end].iter().any(Option::is_some);
-            for &entry in model.lexicon.entries_for(&words[start..end]) {
-                if model.lexicon.is_empty_entry(entry) || is_closed && !keeps(model, entry) {
-                    continue;
-                }
-                items.push(lexical_item(model, entry, start, end));
-            }
-        }
-    }
-    items
-}
-
-/// Whether an entry may speak for a closed word: the seed says what the word means, and all that it takes counts.
-fn keeps(model: &Model, entry: EntryId) -> bool {
-    let Category { syntax, meaning } = model.lexicon.category(entry);
-    model.lexicon.origin(entry) == Origin::Seed
-        && (0..model.grammar.syntaxes.arity(syntax)).all(|at| !model.grammar.throws(meaning, at))
-}
-
-/// An entry over a span.
-pub fn lexical_item(model: &Model, entry: EntryId, start: usize, end: usize) -> Lexical {
-    let (category, score) = (model.lexicon.category(entry), model.entry_score(entry));
-    Lexical { start, end, own: (start, end), category, score, item: entry.item() }
 }
 
 /// The distinct goals among a chart's roots, ranked. Goals that differ in the order of the arguments of a

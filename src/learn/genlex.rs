@@ -7,7 +7,7 @@ use crate::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
 use crate::ccg::chart::{Chart, ChartConfig, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
-use crate::ccg::parse::lexical_items;
+use crate::ccg::lookup::lexical_items;
 use crate::ccg::{
     Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId, closed,
 };

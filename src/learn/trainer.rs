@@ -5,12 +5,13 @@ use super::config::Config;
 use super::genlex::{Candidate, Generated, Scope, generate};
 use super::gradient::update;
 use super::planning::{PlannerCost, Planning, Validation};
-use crate::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
+use crate::ccg::absorb::{Leniency, absorbing, absorption};
 use crate::ccg::chart::ChartConfig;
-use crate::ccg::parse::{Parse, fill, lexical_item, lexical_items};
+use crate::ccg::lookup::{lexical_item, lexical_items};
+use crate::ccg::parse::{Parse, fill};
 use crate::ccg::{
-    Atom, Category, Derivation, EntryId, Features, Grammar, MAX_WORDS, Model, Origin, Reading,
-    Vector, heard, words,
+    Atom, Category, Derivation, EntryId, Features, Grammar, Hearing, MAX_WORDS, Model, Origin,
+    Reading, Vector, words,
 };
 use crate::corpus::Example;
 use crate::ground::PairId;
@@ -407,16 +408,16 @@ impl Trainer {
         if !can_parse(words) {
             return (Vec::new(), false);
         }
-        let words = &heard(&self.model.lexicon, words);
-        let empty = empty_entries(&self.model, words);
-        let costs = absorption(&self.model, words, &empty, Leniency::Learned);
-        let items = absorbing(lexical_items(&self.model, words), &costs);
+        let hearing = Hearing::new(&self.model, words);
+        let Hearing { words, empty, .. } = &hearing;
+        let costs = absorption(&self.model, words, empty, Leniency::Learned);
+        let items = absorbing(hearing.items(&mut self.model), &costs);
         let config = chart_config(self.config.beam, self.config.budget);
         let parse = fill(&mut self.model, words, items, |_, _, _| true, config);
         let mut readings = Vec::with_capacity(parse.readings.len());
         for &reading in &parse.readings {
             let derivation = parse.derivation(reading);
-            let occurring = derivation.features(&self.model, reading.form, words, &empty);
+            let occurring = derivation.features(&self.model, reading.form, words, empty);
             readings.push((reading.form, self.model.features.vector(&occurring)));
         }
         (readings, parse.over_budget())

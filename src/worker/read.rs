@@ -3,8 +3,8 @@
 
 use super::protocol::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Word};
 use crate::ccg::{
-    self, ChartConfig, Derivation, Explanation, Model, Parse, Trace, Traced, alike, composed_words,
-    heard, parse_words,
+    self, ChartConfig, Derivation, Explanation, Hearing, Model, Parse, Trace, Traced, alike,
+    composed_words, parse_words,
 };
 use crate::domain::{Bounds, State};
 use crate::ground::{self, Class, Entity, Failure, Goal, Thing, claim, noun, phrases};
@@ -31,17 +31,15 @@ pub(super) fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
 pub(super) fn words(model: &Model, parse: &Parse) -> Vec<Word> {
     let best = parse.readings.first().map(|&reading| parse.derivation(reading));
     let absorbed = best.map(|derivation| derivation.absorbed());
-    let heard = heard(&model.lexicon, &parse.words);
-    let word = |(at, (text, heard)): (usize, (&String, String))| {
-        let knows = model.lexicon.knows(&heard);
-        let is_empty = || {
-            let entries = model.lexicon.entries_for_word(&heard);
-            entries.iter().any(|&entry| model.lexicon.is_empty_entry(entry))
-        };
+    let Hearing { words: spelt, empty, .. } = Hearing::new(model, &parse.words);
+    let word = |(at, (text, spelt)): (usize, (&String, &String))| {
+        let taken = parse.heard.iter().find(|((start, end), _)| (*start..*end).contains(&at));
+        let heard = taken.map(|(_, name)| name).or((spelt != text).then_some(spelt)).cloned();
+        let knows = model.lexicon.knows(spelt);
         let fate = match &absorbed {
             Some(absorbed) if !absorbed.contains(&at) => Fate::Meant,
-            Some(_) if is_empty() => Fate::Empty,
-            _ if !knows => Fate::Unknown,
+            Some(_) if empty[at].is_some() => Fate::Empty,
+            _ if !knows && heard.is_none() => Fate::Unknown,
             Some(_) => Fate::Skipped,
             None => Fate::Idle,
         };
@@ -49,9 +47,9 @@ pub(super) fn words(model: &Model, parse: &Parse) -> Vec<Word> {
             Fate::Unknown => alike(&model.lexicon, text, MAX_NEAR),
             _ => Vec::new(),
         };
-        Word { text: text.clone(), heard: (heard != *text).then_some(heard), fate, near }
+        Word { text: text.clone(), heard, fate, near }
     };
-    parse.words.iter().zip(heard).enumerate().map(word).collect()
+    parse.words.iter().zip(&spelt).enumerate().map(word).collect()
 }
 
 /// A reading with all that a page can point at.

@@ -1,11 +1,12 @@
 //! Reading corpora and writing models for the commands that train and evaluate.
 
 use super::command::Failure;
-use groundling::ccg::Model;
+use groundling::ccg::{General, Model};
 use groundling::corpus::{Example, Flaw, Form, Options, read};
 use std::fs::{self, File};
 use std::io::{self, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Flaws of a file that are told one by one.
 const MAX_TOLD: usize = 20;
@@ -49,6 +50,17 @@ fn tell(path: &Path, flaws: &[Flaw]) {
 pub(crate) fn model(path: &Path) -> Result<Model, Failure> {
     Model::read(&text(path)?)
         .map_err(|e| Failure::Usage(format!("{}: no model: {e}", path.display())))
+}
+
+/// What words that no lexicon knows may stand for.
+const WORDS: &str = include_str!("../../../assets/lexicon/words.txt");
+
+/// The model in a file, to be asked: it understands more words than its lexicon knows.
+pub(crate) fn speaker(path: &Path) -> Result<Model, Failure> {
+    let mut model = model(path)?;
+    let general = General::read(WORDS).map_err(|e| Failure::Usage(format!("words: {e}")))?;
+    model.attach(Arc::new(general));
+    Ok(model)
 }
 
 /// A text file.

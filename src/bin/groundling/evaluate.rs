@@ -1,7 +1,7 @@
 //! `evaluate`: a model's precision, recall and F1 on a corpus.
 
 use super::command::{Command, Done, Failure};
-use super::corpora::{examples, model};
+use super::corpora::{examples, speaker};
 use super::figures::{report_json, report_text};
 use groundling::ccg::ChartConfig;
 use groundling::learn::Evaluation;
@@ -36,7 +36,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
     }
     let missing = |name: &str| Failure::Usage(format!("{name} is missing"));
-    let mut model = model(&model_file.ok_or_else(|| missing("--model MODEL"))?)?;
+    let mut model = speaker(&model_file.ok_or_else(|| missing("--model MODEL"))?)?;
     let examples = examples(&[corpus.ok_or_else(|| missing("--corpus FILE"))?], with_rejected)?;
     let started = Instant::now();
     let config = ChartConfig::of(&model);

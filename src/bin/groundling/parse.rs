@@ -1,7 +1,7 @@
 //! `parse`: a command a line in, its readings as a JSON line out.
 
 use super::command::{Blank, Command, Done, Failure, answer_lines};
-use super::corpora::model;
+use super::corpora::speaker;
 use groundling::ccg::{ChartConfig, Explanation, parse};
 use groundling::logic::print;
 use lexopt::ValueExt;
@@ -13,9 +13,11 @@ pub(crate) const COMMAND: Command = Command {
     about: "Say what commands mean to a model",
     usage: "--model MODEL [--best 10] [--explain] [FILE…]",
     details: "In:  a command a line\n\
-              Out: {\"command\", \"forms\": [{\"form\", \"score\"}], \"skipped\": [words], \"reason\"?} a line;\n\
+              Out: {\"command\", \"forms\": [{\"form\", \"score\"}], \"skipped\": [words], \"heard\"?: [{\"word\", \"as\"}],\n\
+              \x20    \"reason\"?} a line;\n\
               \x20    all forms tied for best are listed even beyond --best\n\
-              \x20    reason, where there is no single answer: empty, too_long, unknown_words, no_parse, tie, budget\n\
+              \x20    reason, where there is no single answer: empty, too_long, unknown_words, no_parse, tie, budget,\n\
+              \x20    left_out (a word that turns round, excludes, joins or orders would have been dropped)\n\
               \x20 --explain   each form has an \"explanation\" too: {\"score\", \"parts\": [{\"feature\", \"count\", \"weight\", \"adds\"}],\n\
               \x20             \"entries\": [{\"words\", \"syntax\", \"meaning\", \"learned\"}]}; what the parts add,\n\
               \x20             summed in their order, is the score",
@@ -37,7 +39,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
     }
     let path = model_file.ok_or_else(|| Failure::Usage("--model MODEL is missing".into()))?;
-    let mut model = model(&path)?;
+    let mut model = speaker(&path)?;
     let config = ChartConfig::of(&model);
     answer_lines(&files, Blank::IsALine, |command| {
         let parse = parse(&mut model, command, config);
@@ -54,6 +56,13 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
             })
             .collect();
         let mut answer = json!({ "command": command, "forms": forms, "skipped": parse.skipped });
+        if !parse.heard.is_empty() {
+            let heard = parse.heard.iter().map(|((start, end), name)| {
+                let words = parse.words.get(*start..*end).unwrap_or_default().join(" ");
+                json!({ "word": words, "as": name })
+            });
+            answer["heard"] = heard.collect();
+        }
         if let Some(reason) = parse.reason {
             answer["reason"] = reason.name().into();
         }

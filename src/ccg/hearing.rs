@@ -1,0 +1,121 @@
+//! What the words of a command are taken for: known words as they stand, misspelt ones as those next to them, and words
+//! that the lexicon does not know as those that a general resource has them near, at a price. What was learned of a word
+//! goes before both.
+
+use super::absorb::empty_entries;
+use super::category::Category;
+use super::chart::Lexical;
+use super::closed::{Kind, closed};
+use super::features::Feature;
+use super::general::{General, Near, Target};
+use super::lexicon::{EntryId, Origin};
+use super::lookup::lexical_items;
+use super::model::Model;
+use super::spelling::heard;
+use super::syntax::SyntaxId;
+use crate::logic::read;
+use std::sync::Arc;
+
+/// A command's words as they are heard.
+#[derive(Clone, Debug, Default)]
+pub struct Hearing {
+    /// The words, misspelt ones as the known words next to them.
+    pub words: Vec<String>,
+    /// For every word what it does, if it is closed.
+    pub closed: Vec<Option<Kind>>,
+    /// For every word the entry by which it means nothing, if there is one.
+    pub empty: Vec<Option<EntryId>>,
+}
+
+impl Hearing {
+    /// Hears a command's words.
+    pub fn new(model: &Model, words: &[String]) -> Self {
+        let words = heard(model, words);
+        let (closed, empty) = (closed(&words), empty_entries(model, &words));
+        Hearing { words, closed, empty }
+    }
+
+    /// The entries of every span, the lexicon's and those of what unknown words may stand for.
+    pub fn items(&self, model: &mut Model) -> Vec<Lexical> {
+        let mut items = lexical_items(model, &self.words);
+        let general = Arc::clone(model.general());
+        for start in 0..self.words.len() {
+            let longest = (start + general.longest()).min(self.words.len());
+            for end in start + 1..=longest {
+                self.understand(model, &general, (start, end), &mut items);
+            }
+        }
+        items
+    }
+
+    /// What the words of a span may stand for, if the lexicon does not know one of them.
+    fn understand(
+        &self,
+        model: &mut Model,
+        general: &General,
+        (start, end): (usize, usize),
+        items: &mut Vec<Lexical>,
+    ) {
+        let own = &self.words[start..end];
+        let is_known = own.iter().all(|word| model.lexicon.knows(word));
+        if is_known || self.closed[start..end].iter().any(Option::is_some) {
+            return;
+        }
+        for near in general.near(&own.join(" ")) {
+            for entry in entries(model, general, own, near) {
+                let (category, far) = (model.lexicon.category(entry), features(near));
+                let score = model.entry_score(entry) + model.value(&far);
+                let item = entry.item();
+                items.push(Lexical { start, end, own: (start, end), category, score, item });
+            }
+        }
+    }
+}
+
+/// What it is scored by that words are taken for something near.
+fn features(near: &Near) -> Vec<Feature> {
+    let measure = matches!(near.target, Target::Measure(_)).then_some(Feature::Measure);
+    let far = std::iter::repeat_n(Feature::Far, usize::from(near.price));
+    far.chain(measure).collect()
+}
+
+/// The entries of what words may stand for: a word's own, or candidates for a measure.
+fn entries(model: &mut Model, general: &General, own: &[String], near: &Near) -> Vec<EntryId> {
+    match &near.target {
+        Target::Word(word) => {
+            let all = model.lexicon.entries_for_word(word).iter().copied();
+            all.filter(|&entry| model.lexicon.category(entry).syntax != SyntaxId::EMPTY).collect()
+        }
+        Target::Measure(constant) => {
+            let words: Box<[Box<str>]> = own.iter().map(|word| word.as_str().into()).collect();
+            let Model { lexicon, grammar, .. } = model;
+            let mut found = Vec::new();
+            for (syntax, meaning) in general.categories(constant) {
+                let syntax = grammar.syntaxes.read(syntax);
+                let meaning = read(&mut grammar.terms, &meaning).ok();
+                let Some((syntax, meaning)) = syntax.zip(meaning) else { continue };
+                let category = Category { syntax, meaning };
+                let words = words.clone();
+                found.extend(lexicon.add_category(grammar, words, category, Origin::Candidate));
+            }
+            found
+        }
+    }
+}
+
+/// What words that an entry is used for are taken for, if they are not its own, with what that is scored by.
+pub fn taken(model: &Model, words: &[String], entry: EntryId) -> Option<(String, Vec<Feature>)> {
+    let own = &model.lexicon.lexeme(model.lexicon.entry(entry).lexeme).words;
+    let is_own = own.iter().map(|word| &**word).eq(words.iter().map(String::as_str));
+    let near = model.general().near(&words.join(" ")).iter();
+    let mut fits = near.filter(|near| match &near.target {
+        Target::Word(word) => !is_own && own.len() == 1 && own.first() == Some(word),
+        Target::Measure(_) => is_own && model.lexicon.is_candidate(entry),
+    });
+    let near = fits.next()?;
+    let name = match &near.target {
+        Target::Word(word) => word.to_string(),
+        Target::Measure(constant) => constant.split(':').next().unwrap_or_default().to_owned(),
+    };
+    Some((name, features(near)))
+}
