@@ -80,7 +80,7 @@ fn color(paint: Paint, named: &[Color], rng: &mut Pcg64Mcg) -> Option<Color> {
     let among = |colors: &[Color], rng: &mut Pcg64Mcg| colors[below(colors.len(), rng)];
     match paint {
         Paint::Is(color) => Some(color),
-        Paint::Any => Some(among(&Color::ALL, rng)),
+        Paint::Any => Some(among(Color::ALL, rng)),
         Paint::Other => {
             let others: Vec<Color> =
                 Color::ALL.iter().copied().filter(|c| !named.contains(c)).collect();
