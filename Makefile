@@ -45,10 +45,10 @@ help: ## list the commands
 serve: build ## install what is missing, build the site and serve it on this machine (PORT=8080)
 	exec node tests/e2e/server.mjs "$(SITE)" "$(PORT)"
 
-test: rust-parts wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages chromium ## install what is missing and run every check
+test: rust-parts xz wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages chromium ## install what is missing and run every check
 	exec bash tests/checks.sh
 
-test-long: rust-parts ## the native tests again, in release and with many more random cases; and the model, learned anew
+test-long: rust-parts xz ## the native tests again, in release and with many more random cases; and the model, learned anew
 	PROPTEST_CASES=10000 cargo test --release --no-fail-fast --lib --bins --test suite
 	$(MAKE) --no-print-directory model MODEL=target/model/again.model
 	cmp assets/model/cleanup.model target/model/again.model
