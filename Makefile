@@ -7,7 +7,7 @@ SHELL := bash
 .SILENT:
 .DEFAULT_GOAL := help
 .PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora update-goldens plots \
-	rust-parts wasm-target chromium packages command-line model words
+	rust-parts wasm-target chromium packages command-line xz corpus model words
 
 # Where our own tools live; another folder can be given to share them between work trees.
 TOOLS ?= target/tools
@@ -45,10 +45,10 @@ help: ## list the commands
 serve: build ## install what is missing, build the site and serve it on this machine (PORT=8080)
 	exec node tests/e2e/server.mjs "$(SITE)" "$(PORT)"
 
-test: rust-parts wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages chromium ## install what is missing and run every check
+test: rust-parts xz wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages chromium ## install what is missing and run every check
 	exec bash tests/checks.sh
 
-test-long: rust-parts ## the native tests again, in release and with many more random cases; and the model, learned anew
+test-long: rust-parts xz ## the native tests again, in release and with many more random cases; and the model, learned anew
 	PROPTEST_CASES=10000 cargo test --release --no-fail-fast --lib --bins --test suite
 	$(MAKE) --no-print-directory model MODEL=target/model/again.model
 	cmp assets/model/cleanup.model target/model/again.model
@@ -80,11 +80,18 @@ shots: build chromium ## take the pictures of the README anew, from the real pag
 # Where the model goes.
 MODEL ?= assets/model/cleanup.model
 
-model: rust-parts ## learn the model that the page opens with anew, from the crowd's commands: always the same bytes
-	command -v xz >/dev/null || { echo "xz is missing, which unpacks the corpus: apt-get install xz-utils" >&2; exit 1; }
+model: rust-parts xz ## learn the model that the page opens with anew, from the commands of assets/corpus: always the same bytes
 	mkdir -p target/model
-	xz --decompress --stdout assets/corpus/crowd.csv.xz >target/model/crowd.csv
-	cargo run --release --bin groundling -- train --corpus target/model/crowd.csv --out "$(MODEL)"
+	for corpus in crowd wide; do
+		xz --decompress --stdout assets/corpus/$$corpus.csv.xz >target/model/$$corpus.csv
+	done
+	cargo run --release --bin groundling -- train --corpus target/model/crowd.csv target/model/wide.csv --out "$(MODEL)"
+
+corpus: rust-parts xz ## draw the states of the commands of assets/corpus/wide.txt anew
+	mkdir -p target/corpus
+	cargo run --release --bin groundling -- generate --tasks assets/corpus/wide.txt --pairs 3 --seed 11 >target/corpus/wide.csv
+	xz -9 --extreme --stdout target/corpus/wide.csv >assets/corpus/wide.csv.xz
+	cargo test --test suite wide::
 
 # What `make words` reads, and what it writes.
 NETS := $(TOOLS)/words/node_modules
@@ -119,6 +126,9 @@ command-line:
 	$(call run,command-line,Building the command line,cargo build --bin groundling)
 
 # What is installed, and where it is looked for.
+
+xz:
+	command -v xz >/dev/null || { echo "xz is missing, which unpacks the corpus: apt-get install xz-utils" >&2; exit 1; }
 
 rust-parts:
 	command -v cargo >/dev/null || { echo "Rust is missing: install it with rustup" >&2; exit 1; }

@@ -43,6 +43,8 @@ mod learn;
 mod teach;
 #[path = "suite/study.rs"]
 mod study;
+#[path = "suite/wide.rs"]
+mod wide;
 #[path = "suite/explain.rs"]
 mod explain;
 #[path = "suite/worker.rs"]

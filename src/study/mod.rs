@@ -2,6 +2,7 @@
 
 pub mod tasks;
 pub mod pairs;
+mod world;
 
 pub use pairs::{DrawError, Drawing, Drawn, draw};
-pub use tasks::{Look, Paint, StudyTask, TASKS, TaskFileError, read_tasks};
+pub use tasks::{Look, Paint, Saying, StudyTask, TASKS, TaskFileError, read_tasks};

@@ -1,7 +1,7 @@
 //! The tasks of a study as a text that a person can read and change; its own head says what each line means.
-//! Invariant: the goal of a task that was read is a goal of Cleanup World, and so is every reading it is unlike.
+//! Invariant: the goal of a task that was read is a goal of Cleanup World, and so is every other form of it.
 
-use crate::domain::{Color, Shape};
+use crate::domain::{Color, Shape, Size};
 use crate::ground::goal::check;
 use crate::logic::{Terms, print, read};
 use std::str::FromStr;
@@ -14,18 +14,33 @@ pub const TASKS: &str = include_str!("../../assets/corpus/tasks.txt");
 pub struct StudyTask {
     /// Its label, unique in its file.
     pub name: String,
-    /// One way to say it.
-    pub says: String,
+    /// Ways to say it, at least one: a single one that nobody said, or those of voices.
+    pub says: Vec<Saying>,
     /// The form that holds after and not before.
     pub goal: String,
-    /// The colours of the rooms, three.
-    pub rooms: Vec<Color>,
+    /// What the state before fulfils besides, and the one after.
+    pub before: Vec<String>,
+    /// What the state after fulfils besides.
+    pub after: Vec<String>,
+    /// The colours of the rooms, three to six.
+    pub rooms: Vec<Paint>,
     /// The objects that are there.
     pub things: Vec<Look>,
     /// Whether the largest and the smallest room are told from the others at a glance.
     pub apart: bool,
+    /// Whether the robot may begin in a doorway.
+    pub doorway: bool,
     /// Forms that some pair has to disprove.
     pub unlike: Vec<String>,
+}
+
+/// A command for a task.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Saying {
+    /// Whose it is; `None` until people have said theirs.
+    pub voice: Option<String>,
+    /// The command.
+    pub words: String,
 }
 
 /// What an object looks like.
@@ -34,16 +49,17 @@ pub struct StudyTask {
 pub struct Look {
     pub paint: Paint,
     pub shape: Shape,
+    pub size: Option<Size>,
 }
 
-/// The colour of an object.
+/// The colour of an object or a room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paint {
     /// This one.
     Is(Color),
     /// Whichever.
     Any,
-    /// None that the task names for the shape.
+    /// None that the task names for the shape, or for a room.
     Other,
 }
 
@@ -57,8 +73,8 @@ pub struct TaskFileError {
     pub message: String,
 }
 
-/// The rooms of every world.
-const N_ROOMS: usize = 3;
+/// The rooms of a world.
+const N_ROOMS: std::ops::RangeInclusive<usize> = 3..=6;
 /// Most objects of a task.
 const MAX_THINGS: usize = 8;
 
@@ -67,7 +83,7 @@ const MAX_THINGS: usize = 8;
 /// # Errors
 /// The first thing that is wrong, with its line.
 pub fn read_tasks(text: &str) -> Result<Vec<StudyTask>, TaskFileError> {
-    let mut rooms = vec![Color::Red, Color::Green, Color::Blue];
+    let mut rooms: Vec<Paint> = [Color::Red, Color::Green, Color::Blue].map(Paint::Is).into();
     let mut tasks: Vec<StudyTask> = Vec::new();
     let mut last = 0;
     for (number, line) in (1..).zip(text.lines()) {
@@ -89,11 +105,14 @@ pub fn read_tasks(text: &str) -> Result<Vec<StudyTask>, TaskFileError> {
             }
             tasks.push(StudyTask {
                 name: rest.to_owned(),
-                says: String::new(),
+                says: Vec::new(),
                 goal: String::new(),
+                before: Vec::new(),
+                after: Vec::new(),
                 rooms: rooms.clone(),
                 things: Vec::new(),
                 apart: false,
+                doorway: false,
                 unlike: Vec::new(),
             });
             continue;
@@ -131,25 +150,55 @@ impl StudyTask {
     /// Takes a line of the task.
     fn line(&mut self, word: &str, rest: &str) -> Result<(), String> {
         match word {
-            "says" if rest.is_empty() => return Err("`says` needs words".into()),
-            "says" if self.says.is_empty() => self.says = rest.to_owned(),
+            "says" => self.says(saying(rest)?)?,
             "goal" if self.goal.is_empty() => self.goal = form(rest)?,
-            "says" | "goal" => return Err(format!("a second `{word}`: leave one out")),
+            "goal" => return Err("a second `goal`: leave one out".into()),
+            "before" => self.before.push(form(rest)?),
+            "after" => self.after.push(form(rest)?),
             "unlike" => self.unlike.push(form(rest)?),
             "rooms" => self.rooms = colors(rest)?,
             "apart" if rest.is_empty() => self.apart = true,
+            "doorway" if rest.is_empty() => self.doorway = true,
             "thing" if self.things.len() == MAX_THINGS => {
                 return Err(format!("more than {MAX_THINGS} things: leave some out"));
             }
             "thing" => self.things.push(look(rest)?),
             _ => {
                 return Err(format!(
-                    "`{word}` is unknown here: use task, says, goal, rooms, thing, apart or unlike"
+                    "`{word}` is unknown here: use task, says, goal, before, after, rooms, thing, apart, doorway \
+                     or unlike"
                 ));
             }
         }
         Ok(())
     }
+
+    /// Takes a command: any number that voices said, or one that nobody did.
+    fn says(&mut self, saying: Saying) -> Result<(), String> {
+        if !self.says.is_empty() && (saying.voice.is_none() || self.says[0].voice.is_none()) {
+            return Err(
+                "a second `says`: leave one out, or say whose each is, like `says VOICE: WORDS`"
+                    .into(),
+            );
+        }
+        if self.says.iter().any(|s| s.words == saying.words) {
+            return Err("the same words stand there already: leave one out".into());
+        }
+        self.says.push(saying);
+        Ok(())
+    }
+}
+
+/// `VOICE: WORDS`, or words alone.
+fn saying(text: &str) -> Result<Saying, String> {
+    let (voice, words) = match text.split_once(": ") {
+        Some((voice, words)) if !voice.contains(char::is_whitespace) => (Some(voice), words.trim()),
+        _ => (None, text),
+    };
+    if words.is_empty() {
+        return Err("`says` needs words".into());
+    }
+    Ok(Saying { voice: voice.map(str::to_owned), words: words.to_owned() })
 }
 
 /// A form in its normal form, if it is a goal.
@@ -160,26 +209,30 @@ fn form(text: &str) -> Result<String, String> {
     Ok(print(&terms, term))
 }
 
-fn colors(text: &str) -> Result<Vec<Color>, String> {
-    let colors: Vec<Color> = text.split_whitespace().map(word).collect::<Result<_, _>>()?;
-    let distinct = (1..colors.len()).all(|i| !colors[..i].contains(&colors[i]));
-    if colors.len() != N_ROOMS || !distinct {
-        return Err(format!("`rooms` needs {N_ROOMS} different colours"));
+fn colors(text: &str) -> Result<Vec<Paint>, String> {
+    let colors: Vec<Paint> = text.split_whitespace().map(paint).collect::<Result<_, _>>()?;
+    if !N_ROOMS.contains(&colors.len()) {
+        return Err(format!("`rooms` needs {} to {} colours", N_ROOMS.start(), N_ROOMS.end()));
     }
     Ok(colors)
 }
 
 fn look(text: &str) -> Result<Look, String> {
     let words: Vec<&str> = text.split_whitespace().collect();
-    let &[paint, shape] = &words[..] else {
-        return Err("`thing` needs a colour and a shape, like `thing red chair`".into());
+    let (color, shape, size) = match words[..] {
+        [color, shape] => (color, shape, None),
+        [size, color, shape] => (color, shape, Some(word(size)?)),
+        _ => return Err("`thing` needs a colour and a shape, like `thing red chair`".into()),
     };
-    let paint = match paint {
+    Ok(Look { paint: paint(color)?, shape: word(shape)?, size })
+}
+
+fn paint(text: &str) -> Result<Paint, String> {
+    Ok(match text {
         "any" => Paint::Any,
         "other" => Paint::Other,
         color => Paint::Is(word(color).map_err(|e| format!("{e}, any, other"))?),
-    };
-    Ok(Look { paint, shape: word(shape)? })
+    })
 }
 
 fn word<T: FromStr>(text: &str) -> Result<T, String>

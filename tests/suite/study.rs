@@ -2,16 +2,22 @@
 
 use crate::command::{answers, call};
 use crate::dynamics::chances::Draws;
-use groundling::corpus::{Form, Options, read};
-use groundling::domain::{Blueprint, Color, Lock, State, Style};
+use groundling::corpus::{Form, Options, Pair, read};
+use groundling::domain::{Blueprint, Bounds, Color, Lock, Size, State, Style};
 use groundling::ground::Goal;
 use groundling::logic::{TermId, Terms, read as form};
-use groundling::study::{DrawError, Drawing, Paint, StudyTask, TASKS, draw, read_tasks};
+use groundling::study::{
+    DrawError, Drawing, Drawn, Paint, Saying, StudyTask, TASKS, draw, read_tasks,
+};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 fn tasks() -> Vec<StudyTask> {
     read_tasks(TASKS).unwrap()
+}
+
+fn said(voice: Option<&str>, words: &str) -> Saying {
+    Saying { voice: voice.map(str::to_owned), words: words.to_owned() }
 }
 
 fn term(terms: &mut Terms, text: &str) -> TermId {
@@ -25,9 +31,9 @@ fn the_corpus_has_twenty_three_tasks() {
     let goals: BTreeSet<&str> = tasks.iter().map(|t| t.goal.as_str()).collect();
     assert_eq!(goals.len(), 23);
     let chair = tasks.iter().find(|t| t.name == "agent-near-red-chair").unwrap();
-    assert_eq!(chair.says, "Go next to the red chair.");
+    assert_eq!(chair.says, [said(None, "Go next to the red chair.")]);
     assert_eq!(chair.things[0].paint, Paint::Is(Color::Red));
-    assert_eq!(chair.rooms, [Color::Red, Color::Green, Color::Blue]);
+    assert_eq!(chair.rooms, [Color::Red, Color::Green, Color::Blue].map(Paint::Is));
     assert!(!chair.apart && tasks.iter().any(|t| t.apart));
 }
 
@@ -70,7 +76,7 @@ fn looks_and_sizes_are_as_asked() {
     for task in &tasks {
         for pair in draw(&tasks, &task.name, 4, 9).unwrap().pairs {
             let colors: BTreeSet<Color> = pair.pre.rooms.iter().map(|r| r.color).collect();
-            assert_eq!(colors, task.rooms.iter().copied().collect());
+            assert_eq!(colors, [Color::Red, Color::Green, Color::Blue].into());
             for (look, object) in task.things.iter().zip(&pair.pre.objects) {
                 assert_eq!(look.shape, object.shape);
                 match look.paint {
@@ -87,6 +93,41 @@ fn looks_and_sizes_are_as_asked() {
             let apart = sizes.windows(2).all(|s| s[1] * 4 >= s[0] * 5);
             assert!(apart || !task.apart);
         }
+    }
+}
+
+#[test]
+fn worlds_begin_and_end_as_asked() {
+    let inside = |of: &str| format!("(in:<e,<e,t>> (the:<<e,t>,e> {of}:<e,t>) $0)");
+    let somewhere = |of: &str| {
+        format!("(exists:<<e,t>,t> (lambda $0:e (and:<t*,t> (room:<e,t> $0) {})))", inside(of))
+    };
+    let text = format!(
+        "task bag\nsays one: To the bag with you.\nsays two: Stand by the bag.\n\
+         goal (near:<e,<e,t>> (the:<<e,t>,e> agent:<e,t>) (the:<<e,t>,e> bag:<e,t>))\n\
+         before (not:<t,t> {})\nafter {}\nrooms red red other other any\nthing large any bag\ndoorway",
+        somewhere("agent"),
+        somewhere("agent"),
+    );
+    let tasks = read_tasks(&text).unwrap();
+    assert_eq!(
+        tasks[0].says,
+        [said(Some("one"), "To the bag with you."), said(Some("two"), "Stand by the bag.")]
+    );
+    let Drawn { pairs, .. } = draw(&tasks, "bag", 4, 1).unwrap();
+    for Pair { pre, post } in pairs {
+        let room = |state: &State| {
+            let at = |b: &Bounds| {
+                let (x, y) = (state.agent.x, state.agent.y);
+                b.left < x && x < b.right && b.bottom < y && y < b.top
+            };
+            state.rooms.iter().any(|r| at(&r.bounds))
+        };
+        assert!(!room(&pre) && room(&post), "out of a doorway");
+        assert_eq!(pre.objects[0].size, Some(Size::Large));
+        let red = pre.rooms.iter().filter(|r| r.color == Color::Red).count();
+        let others: BTreeSet<Color> = pre.rooms.iter().map(|r| r.color).collect();
+        assert!(pre.rooms.len() == 5 && red >= 2 && others.len() >= 3);
     }
 }
 
@@ -151,13 +192,19 @@ fn a_bad_file_of_tasks_is_refused_with_its_line() {
         ("# x\ntask".into(), "line 2: a task needs a name"),
         (file("task near-bag"), "line 4: a second task is called `near-bag`"),
         (file("says Once more."), "line 4: a second `says`"),
+        (file("says one: Once more."), "line 4: a second `says`"),
+        (file("says one:"), "line 4: a second `says`"),
+        ("task a\nsays one: Go.\nsays two: Go.".into(), "line 3: the same words stand there"),
+        ("task a\nsays".into(), "line 2: `says` needs words"),
         (file("goal true:t"), "line 4: a second `goal`"),
         (file("thing red"), "line 4: `thing` needs a colour and a shape, like `thing red chair`"),
         (file("thing pink bag"), "line 4: unknown colour `pink`: use one of red"),
         (file("thing red sofa"), "line 4: unknown shape `sofa`: use one of chair"),
         (file(&"thing any bag\n".repeat(9)), "line 12: more than 8 things"),
-        (file("rooms red green"), "line 4: `rooms` needs 3 different colours"),
-        (file("rooms red green red"), "line 4: `rooms` needs 3 different colours"),
+        (file("thing huge red bag"), "line 4: unknown size `huge`: use one of small"),
+        (file("rooms red green"), "line 4: `rooms` needs 3 to 6 colours"),
+        (file("rooms red green pink"), "line 4: unknown colour `pink`: use one of red"),
+        (file("before red:<e,t>"), "line 4: a goal has type t"),
         (file("unlike red:<e,t>"), "line 4: a goal has type t"),
         (file("unlike (near"), "line 4: column "),
         (file("colour red"), "line 4: `colour` is unknown here: use task, says"),
@@ -198,7 +245,7 @@ fn the_command_writes_a_corpus() {
     let tasks = tasks();
     for ((a, b), task) in corpus.examples.iter().zip(&same.examples).zip(&tasks) {
         assert_eq!((&a.id, &a.command, &a.task, &a.pairs), (&b.id, &b.command, &b.task, &b.pairs));
-        assert_eq!((a.task.as_ref(), &a.command), (Some(&task.name), &task.says));
+        assert_eq!((a.task.as_ref(), &a.command), (Some(&task.name), &task.says[0].words));
         assert_eq!(a.pairs, draw(&tasks, &task.name, 2, 3).unwrap().pairs);
     }
     assert_eq!(answers(&lines)[0]["task"], "agent-in-red");

@@ -14,12 +14,13 @@ pub(crate) const COMMAND: Command = Command {
     about: "Draw pairs of states for the tasks of a study, or worlds",
     usage: "--tasks FILE|all [--pairs N] [--seed N] [--json] | --worlds N [OPTIONS]",
     details: "  --tasks FILE|all  a file of tasks, or the 23 of the corpus\n\
-              \x20 --pairs N         pairs for each task (3)\n\
+              \x20 --pairs N         pairs for each command (3)\n\
               \x20 --seed N          of everything that is drawn (0)\n\
               \x20 --json            JSON lines instead of batch-results CSV\n\
               \n\
-              A row a task: its name, its pairs, and in the command's column one way to say it, until people have\n\
-              said theirs. What the pairs of a task leave open is told on standard error.\n\
+              A row a command: its task's name, the voice, its own pairs. Where a task has no voices, one way to say it\n\
+              stands in the command's column, until people have said theirs. What the pairs of a row leave open is told\n\
+              on standard error.\n\
               \n\
               \x20 --worlds N        instead of pairs: a world a line, as JSON, by the seeds from --seed on\n\
               \x20 --style STYLE     cuts, rows, or hall: rooms along a corridor (cuts)\n\
@@ -95,22 +96,29 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
     let mut corpus = Corpus::default();
     let mut error = io::stderr();
     for task in &tasks {
-        let drawn = draw(&tasks, &task.name, n, options.seed)
-            .map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
-        if !drawn.open.is_empty() {
-            // Nobody may be listening there; the pairs are good all the same.
-            let open = drawn.open.join(", ");
-            let _ = writeln!(error, "{}: with {n} a task this stays open: {open}", task.name);
+        // Every command has pairs of its own.
+        for (number, saying) in (0..).zip(&task.says) {
+            let drawn = draw(&tasks, &task.name, n, options.seed.wrapping_add(number))
+                .map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
+            let id = match saying.voice {
+                Some(_) => format!("{}-{}", task.name, number + 1),
+                None => task.name.clone(),
+            };
+            if !drawn.open.is_empty() {
+                // Nobody may be listening there; the pairs are good all the same.
+                let open = drawn.open.join(", ");
+                let _ = writeln!(error, "{id}: with {n} a task this stays open: {open}");
+            }
+            corpus.examples.push(Example {
+                id,
+                line: 0,
+                command: saying.words.clone(),
+                task: Some(task.name.clone()),
+                worker: saying.voice.clone(),
+                pairs: drawn.pairs,
+                rest: Vec::new(),
+            });
         }
-        corpus.examples.push(Example {
-            id: task.name.clone(),
-            line: 0,
-            command: task.says.clone(),
-            task: Some(task.name.clone()),
-            worker: None,
-            pairs: drawn.pairs,
-            rest: Vec::new(),
-        });
     }
     let out = BufWriter::new(io::stdout().lock());
     if options.json { jsonl::write(&corpus, out) } else { mturk::write(&corpus, out) }
