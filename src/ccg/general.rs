@@ -54,7 +54,8 @@ pub struct GeneralError {
 
 impl General {
     /// Reads a resource: frames `* :- SYNTAX : meaning`, then words, a tab and targets, each a word or a constant,
-    /// with `=price` behind it if that is not 1; `#` begins a comment.
+    /// with `=price` behind it if that is not 1; or a word alone, one of its own, which stands for nothing else; `#`
+    /// begins a comment.
     ///
     /// # Errors
     /// With the line and what is wrong there.
@@ -74,8 +75,11 @@ impl General {
             self.frames.push(read_frame(category)?);
             return Ok(());
         }
-        let (words, targets) = line.split_once('\t').ok_or("between words and targets is a tab")?;
-        let near: Result<Box<[Near]>, _> = targets.split(' ').map(read_near).collect();
+        let (words, near) = match line.split_once('\t') {
+            Some((words, targets)) => (words, targets.split(' ').map(read_near).collect()),
+            None if line.contains(' ') => return Err("between words and targets is a tab"),
+            None => (line, Ok(Box::default())),
+        };
         self.longest = self.longest.max(words.split(' ').count());
         match self.words.insert(words.into(), near?) {
             Some(_) => Err("these words have a line already"),

@@ -4,8 +4,8 @@
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 
-const FILES = { noun: 'n', verb: 'v', adj: 'a' };
-const KINDS = { 1: 'n', 2: 'v', 3: 'a', 5: 'a' };
+const FILES = { noun: 'n', verb: 'v', adj: 'a', adv: 'r' };
+const KINDS = { 1: 'n', 2: 'v', 3: 'a', 4: 'r', 5: 'a' };
 
 /** Reads the database in a folder. */
 export function read(folder) {
@@ -29,6 +29,10 @@ export function read(folder) {
       senses.set(`${kind} ${fields[0]}`, fields.slice(-n).map((offset) => kind + offset));
     }
   }
+  const written = new Map();
+  for (const { gloss } of synsets.values()) {
+    for (const word of gloss.match(/[\p{L}\d'-]+/gu) ?? []) written.set(word, (written.get(word) ?? 0) + 1);
+  }
   const keys = new Map();
   const counts = new Map();
   for (const line of lines('index.sense')) {
@@ -43,6 +47,8 @@ export function read(folder) {
   return {
     /** The synset of a sense key. */
     synset: (key) => synsets.get(keys.get(key)),
+    /** How often each word is written in what synsets are said to be. */
+    written,
     /** A synset and those below it, `depth` steps down, each once with its distance. */
     below(synset, depth) {
       const found = new Map([[synset.id, 0]]);
@@ -53,6 +59,8 @@ export function read(folder) {
       }
       return [...found].map(([id, distance]) => ({ synset: synsets.get(id), distance }));
     },
+    /** The lemmas of a part of speech. */
+    lemmas: (kind) => [...senses.keys()].filter((key) => key[0] === kind).map((key) => key.slice(2)),
     /** The senses of a lemma in a part of speech, most frequent first. */
     senses: (kind, lemma) => senses.get(`${kind} ${lemma}`) ?? [],
     /** How often a lemma was found in that sense, in texts that people tagged. */

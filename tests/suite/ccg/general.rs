@@ -1,5 +1,5 @@
-//! The general resource: what it takes words for, `tests/data/ccg/general.txt`; that it touches no closed word; and
-//! the entries it makes.
+//! The general resource: what it takes words for, `tests/data/ccg/general.txt`, and which are real ones,
+//! `tests/data/ccg/real.txt`; that it touches no closed word; and the entries it makes.
 
 use super::{model, model_over};
 use crate::logic::cases;
@@ -11,6 +11,7 @@ use std::collections::BTreeSet;
 
 const WORDS: &str = include_str!("../../../assets/lexicon/words.txt");
 const SEED: &str = include_str!("../../../assets/lexicon/cleanup.txt");
+const CLOSED_WORDS: &str = include_str!("../../../assets/lexicon/closed.txt");
 
 /// Words that turn round, exclude, join or order, or take a thing or the robot away from where it is.
 const CLOSED: [&str; 62] = [
@@ -99,6 +100,35 @@ fn words_stand_for_what_people_mean_by_them() {
 }
 
 #[test]
+fn real_words_are_their_own_and_misspellings_are_none() {
+    let general = general();
+    cases(include_str!("../../data/ccg/real.txt"), 40, |line, word, expected| {
+        let found = match (general.is_word(word), general.near(word)) {
+            (false, _) => "-",
+            (true, []) => "own",
+            (true, _) => "near",
+        };
+        assert_eq!(found, expected, "line {line}: {word}");
+    });
+}
+
+#[test]
+fn a_word_of_its_own_is_near_to_one_of_the_seed_lexicon_and_none_of_them() {
+    let general = general();
+    let seed = SEED.lines().filter_map(|line| line.split(" :- ").next());
+    let lines = seed.chain(CLOSED_WORDS.lines()).filter(|line| !line.starts_with('#'));
+    let known: BTreeSet<&str> = lines.flat_map(|line| line.split([' ', '|', '(', ')'])).collect();
+    let own = |line: &&str| !line.contains([' ', '\t', '#']);
+    for word in WORDS.lines().filter(own) {
+        assert!(general.is_word(word) && general.near(word).is_empty(), "{word}");
+        assert!(!known.contains(word), "{word}: the seed has it");
+        let bound = if word.len() < 8 { 1 } else { 2 };
+        let is_near = |other: &&str| strsim::damerau_levenshtein(word, other) <= bound;
+        assert!(word.len() >= 4 && known.iter().any(is_near), "{word}");
+    }
+}
+
+#[test]
 fn every_line_leads_from_a_word_that_the_seed_gives_no_meaning_to_one_that_it_does() {
     let (general, model) = (general(), seed_model(SEED).unwrap());
     let shades: BTreeSet<String> =
@@ -173,6 +203,7 @@ fn a_resource_that_cannot_be_read_says_where() {
     for (text, line, reason) in [
         ("stool chair", 1, "between words and targets is a tab"),
         ("# words\nstool\tchair\nstool\tbox", 3, "these words have a line already"),
+        ("bread\nstool\nbread", 3, "these words have a line already"),
         ("stool\tchair=0", 1, "a price is a number from 1"),
         ("stool\tchair=x", 1, "a price is a number from 1"),
         ("stool\t=2", 1, "a target is a word, or name:<e,n>"),
