@@ -8,7 +8,7 @@ use super::{hear, wish};
 use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
-use crate::ui::page::words::Text as Shared;
+use crate::ui::page::words::Text as Common;
 use crate::ui::page::{engines, model};
 use crate::ui::{talk, train};
 use crate::worker::protocol::Program;
@@ -48,7 +48,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Redo => travel(state, History::redo, |text| text.redone),
         Action::Offered(file) => wish::open(state, file),
         Action::Copied(well) => {
-            let text = Shared::of(shared.language);
+            let text = Common::of(shared.language);
             shared.say(if well { text.copied } else { text.not_copied });
         }
 

@@ -11,8 +11,9 @@ pub(super) fn grant(state: &mut State, wish: Option<train::Wish>) {
     match wish {
         Some(train::Wish::Open(file)) => open(state, file),
         Some(train::Wish::Use(report, corpus)) => {
-            if model::trained(&mut state.shared, report, corpus) {
-                talk::hear::model_opened(&mut state.talk, &mut state.shared, true);
+            let teach = model::trained(&mut state.shared, report, corpus);
+            if teach {
+                talk::teach::learn::learn_again(&mut state.talk, &mut state.shared);
             }
         }
         None => {}

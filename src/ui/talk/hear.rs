@@ -5,8 +5,8 @@ use super::room::worlds;
 use super::share::exchange;
 use super::state::State;
 use super::teach::learn;
-use super::watch::play;
 use super::watch::state::Values;
+use super::watch::values;
 use super::words::Text;
 use crate::ui::page::shared::Shared;
 use crate::worker::protocol::{Event, Request};
@@ -32,7 +32,7 @@ pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event:
         (Event::Explained(studies), _) => state.command.studies = Some(Rc::new(studies)),
         (Event::Values(map), Request::Values { state: of }) => {
             state.watch.values = Some(Values { map: Rc::new(map), of });
-            play::look(state, shared);
+            values::look(state, shared);
         }
         (Event::RolledOut(runs), _) => {
             state.watch.runs = Some(runs);

@@ -2,14 +2,14 @@
 //! changed for all pages.
 
 use super::action::Action;
-use super::command::ask;
 use super::command::state::Command;
+use super::command::{ask, study};
 use super::room::{hand, worlds};
 use super::share::exchange;
 use super::share::state::Sharing;
 use super::state::State;
 use super::teach::learn;
-use super::watch::play;
+use super::watch::{play, values};
 use super::why::mend;
 use super::words::Text;
 use crate::ui::page::effect::Effect;
@@ -38,8 +38,8 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::TogglePlay => play::toggle(state, shared),
         Action::Seek(step) => play::seek(state, shared, step),
         Action::SetSpeed(speed) => play::set_speed(state, shared, speed),
-        Action::ToggleLayer(layer) => play::toggle_layer(state, shared, layer),
-        Action::TryMany => play::try_many(state, shared),
+        Action::ToggleLayer(layer) => values::toggle_layer(state, shared, layer),
+        Action::TryMany => values::try_many(state, shared),
         Action::StopPlanning => shared.cancel(Program::Talker),
 
         Action::SetMode(mode) => hand::set_mode(state, shared, mode),
@@ -73,8 +73,8 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
 
 /// The person looks deeper, or less deep.
 pub fn deepened(state: &State, shared: &mut Shared) {
-    play::look(state, shared);
-    ask::study(state, shared);
+    values::look(state, shared);
+    study::study(state, shared);
 }
 
 /// The document was undone or redone: what hangs on the one before is forgotten, and the words say what was done.
@@ -83,7 +83,7 @@ pub fn travelled(state: &mut State, shared: &mut Shared, words: &str) {
     state.room.let_go();
     let said = shared.document.said.as_ref().map(|said| said.answer.command.clone());
     state.command = Command { input: said.unwrap_or_default(), ..Command::default() };
-    ask::study(state, shared);
+    study::study(state, shared);
     let robot = Text::of(shared.language).phrases.robot(state.shown(shared));
     shared.say(format!("{words} {robot}"));
 }

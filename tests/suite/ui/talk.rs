@@ -7,9 +7,9 @@ use groundling::ui::page::effect::{Effect, Timer};
 use groundling::ui::page::preferences::Depth;
 use groundling::ui::talk;
 use groundling::ui::talk::command::ask::is_asking;
-use groundling::ui::talk::watch::play::RUNS;
 use groundling::ui::talk::watch::playback::Surprise;
 use groundling::ui::talk::watch::state::{Layer, Speed};
+use groundling::ui::talk::watch::values::RUNS;
 use groundling::worker::protocol::{Event, PlanText, Request, Runs, ValueMap, WorldRules};
 
 #[test]

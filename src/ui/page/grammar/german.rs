@@ -1,30 +1,15 @@
-//! German grammar: gender and case of nouns, endings of adjectives.
+//! German grammar: goals, things, cells and changes in German sentences.
 
+use super::german_words::Case::{self, Dative, Nominative};
+use super::german_words::Gender::{self, Feminine, Masculine, Neuter};
+use super::german_words::{adjective, article, compass, definite, indefinite, property};
 use super::phrases::{Phrases, Spot, capitalised, spot};
-use crate::domain::{Color, Direction, Lock, Object, Shape, Size, State};
+use crate::domain::{Color, Lock, Object, Shape, Size, State};
 use crate::ui::page::place::Place;
 use crate::worker::protocol::{Article, Claim, Description, Noun, Phrase, Referent, Refers};
 
 /// The grammar.
 pub struct German;
-
-/// The gender of a noun.
-#[derive(Clone, Copy, PartialEq)]
-enum Gender {
-    Masculine,
-    Feminine,
-    Neuter,
-}
-
-/// The cases that the page needs.
-#[derive(Clone, Copy, PartialEq)]
-enum Case {
-    Nominative,
-    Dative,
-}
-
-use Case::{Dative, Nominative};
-use Gender::{Feminine, Masculine, Neuter};
 
 impl Phrases for German {
     fn claim(&self, claim: &Claim) -> String {
@@ -283,75 +268,5 @@ fn relative(claim: &Claim, gender: Gender) -> String {
             _ => format!("wofür gilt: {}", German.claim(claim)),
         },
         _ => format!("wofür gilt: {}", German.claim(claim)),
-    }
-}
-
-const fn article(gender: Gender, case: Case) -> &'static str {
-    match (gender, case) {
-        (Masculine, Nominative) => "der",
-        (Feminine, Nominative) => "die",
-        (Neuter, Nominative) => "das",
-        (Feminine, Dative) => "der",
-        (_, Dative) => "dem",
-    }
-}
-
-fn definite(adjectives: &[&str], word: &str, gender: Gender, case: Case) -> String {
-    let ending = if case == Dative { "en" } else { "e" };
-    let adjectives = adjectives.iter().map(|stem| format!("{stem}{ending} ")).collect::<String>();
-    format!("{} {adjectives}{word}", article(gender, case))
-}
-
-fn indefinite(adjectives: &[&str], word: &str, gender: Gender, case: Case) -> String {
-    let (article, ending) = match (gender, case) {
-        (Masculine, Nominative) => ("ein", "er"),
-        (Neuter, Nominative) => ("ein", "es"),
-        (Feminine, Nominative) => ("eine", "e"),
-        (Feminine, Dative) => ("einer", "en"),
-        (_, Dative) => ("einem", "en"),
-    };
-    let adjectives = adjectives.iter().map(|stem| format!("{stem}{ending} ")).collect::<String>();
-    format!("{article} {adjectives}{word}")
-}
-
-/// A class or a shape with its gender.
-fn property(name: &str) -> (&'static str, Gender) {
-    match name {
-        "agent" => ("Roboter", Masculine),
-        "room" => ("Raum", Masculine),
-        "door" => ("Tür", Feminine),
-        "object" => ("Gegenstand", Masculine),
-        "chair" => ("Stuhl", Masculine),
-        "basket" => ("Korb", Masculine),
-        "block" => ("Block", Masculine),
-        "bag" => ("Beutel", Masculine),
-        "backpack" => ("Rucksack", Masculine),
-        "box" => ("Kiste", Feminine),
-        _ => ("Ding", Neuter),
-    }
-}
-
-/// A colour's stem, which takes endings.
-fn adjective(name: &str) -> &'static str {
-    match name {
-        "red" => "rot",
-        "green" => "grün",
-        "blue" => "blau",
-        "yellow" => "gelb",
-        "magenta" => "magentafarben",
-        "brown" => "braun",
-        "orange" => "orangefarben",
-        "tan" => "hellbraun",
-        "teal" => "blaugrün",
-        other => property(other).0,
-    }
-}
-
-const fn compass(direction: Direction) -> &'static str {
-    match direction {
-        Direction::North => "Norden",
-        Direction::South => "Süden",
-        Direction::East => "Osten",
-        Direction::West => "Westen",
     }
 }

@@ -2,6 +2,7 @@
 
 mod phrases;
 mod english;
+mod german_words;
 mod german;
 
 pub use english::English;

@@ -1,11 +1,12 @@
 //! What the engine answered: while a command is typed, when it was sent, and for another reading.
 
-use super::ask;
+use super::study;
 use crate::domain::State as World;
 use crate::ui::page::document::Said;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::state::State;
-use crate::ui::talk::watch::play;
+use crate::ui::talk::watch::playback::Playback;
+use crate::ui::talk::watch::values;
 use crate::ui::talk::why::messages::messages;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::{Answer, PlanText};
@@ -30,7 +31,7 @@ pub(crate) fn answered(state: &mut State, shared: &mut Shared, mut answer: Answe
     let answer = Rc::new(answer);
     shared.document.said = Some(Said { world: Rc::new(world), answer, chosen: 0, plan });
     planned(state, shared);
-    ask::look_closer(state, shared);
+    study::look_closer(state, shared);
 }
 
 /// There is a plan for another reading.
@@ -43,7 +44,8 @@ pub(crate) fn replanned(state: &mut State, shared: &mut Shared, plan: PlanText) 
 
 /// Plays the plan that has come, or says why there is none.
 fn planned(state: &mut State, shared: &mut Shared) {
-    play::begin(state, shared);
+    play(state, shared);
+    values::look(state, shared);
     let text = Text::of(shared.language);
     let messages = messages(state, shared);
     let words = match (messages.first(), &state.watch.playback, shared.document.reading()) {
@@ -55,4 +57,17 @@ fn planned(state: &mut State, shared: &mut Shared) {
         (None, ..) => String::new(),
     };
     shared.say(words);
+}
+
+/// Begins to play the plan of the reading that is chosen, if there is one; the world goes on from its end.
+fn play(state: &mut State, shared: &mut Shared) {
+    let plan = shared.document.plan();
+    let work = plan.and_then(|plan| plan.work.clone());
+    let playback = plan.and_then(|plan| Playback::begin(plan));
+    state.watch.end(work, shared.clock);
+    state.watch.playback = playback;
+    if let Some(last) = state.watch.playback.as_ref().and_then(Playback::last) {
+        shared.document.world = last.clone();
+        shared.want(state.watch.tick());
+    }
 }

@@ -3,4 +3,5 @@
 pub mod link;
 pub mod state;
 pub mod ask;
+pub mod study;
 pub mod answer;

@@ -3,4 +3,5 @@
 pub mod playback;
 pub mod chart;
 pub mod state;
+pub mod values;
 pub mod play;

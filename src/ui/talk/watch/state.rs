@@ -163,7 +163,7 @@ impl Watch {
     }
 
     /// The timer for the next step.
-    pub(super) const fn tick(&mut self) -> Effect {
+    pub(crate) const fn tick(&mut self) -> Effect {
         self.hold();
         Effect::StartTimer(Timer::Play(self.play), self.speed.step_ms())
     }
