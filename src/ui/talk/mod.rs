@@ -2,8 +2,9 @@
 //! changes the room, teaches, shares. A folder a part, each with the state that is its own; `state` holds them
 //! together, `update` says which part does what a person wants, `hear` which one asked for what an engine says.
 //!
-//! Parts go one way: `watch` and `command` know nothing of the others' doing, `room` has the command read again, `teach`
-//! learns, `why` mends by all of these, `share` opens what others made of them.
+//! What is done goes one way: `room` has the command in the box read again (`command/ask`), `command/answer` asks what
+//! went wrong (`why/messages`), `why/mend` helps by what `command`, `room` and `teach` can do, `share` opens what these
+//! have made; none of them comes back.
 
 pub mod command;
 pub mod watch;
