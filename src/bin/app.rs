@@ -3,8 +3,8 @@
 
 fn main() {
     #[cfg(target_arch = "wasm32")]
-    if groundling::ui::view::has_page() {
-        groundling::ui::view::mount();
+    if groundling::ui::app::view::has_page() {
+        groundling::ui::app::view::mount();
     } else {
         groundling::worker::agent::listen::<groundling::worker::Talker>();
     }

@@ -1,6 +1,6 @@
 //! Charts: where lines and ticks lie, what ticks say, what is left out.
 
-use groundling::ui::chart::Chart;
+use groundling::ui::talk::watch::chart::Chart;
 use proptest::{prop_assert, proptest};
 
 const LEFT: f64 = Chart::FRAME[0];
@@ -8,7 +8,7 @@ const TOP: f64 = Chart::FRAME[1];
 const RIGHT: f64 = Chart::FRAME[2];
 const BOTTOM: f64 = Chart::FRAME[3];
 
-fn labels(ticks: &[groundling::ui::chart::Tick]) -> Vec<&str> {
+fn labels(ticks: &[groundling::ui::talk::watch::chart::Tick]) -> Vec<&str> {
     ticks.iter().map(|tick| &*tick.label).collect()
 }
 

@@ -1,6 +1,6 @@
 //! Derivations drawn: where everything lies, where keys lead, the picture as a file.
 
-use groundling::ui::proof::{Area, Kind, Proof, Text, Toward, step, svg};
+use groundling::ui::talk::proof::{Area, Kind, Proof, Text, Toward, step, svg};
 use groundling::worker::protocol::{Node, Piece};
 use proptest::prelude::{Strategy, any};
 use proptest::{prop_assert, prop_assert_eq, proptest};

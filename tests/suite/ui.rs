@@ -18,12 +18,17 @@ mod text;
 mod train;
 
 use groundling::domain::State as World;
-use groundling::ui::action::{Action, Effect, Timer};
-use groundling::ui::engine::Health;
-use groundling::ui::history::History;
-use groundling::ui::state::{State, reduce};
-use groundling::ui::text::Language;
-use groundling::ui::world::WORLDS;
+use groundling::ui::app::{Action, State, reduce};
+use groundling::ui::page::document::Document;
+use groundling::ui::page::effect::{Effect, Timer};
+use groundling::ui::page::engine::Health;
+use groundling::ui::page::grammar::{English, Phrases};
+use groundling::ui::page::history::History;
+use groundling::ui::page::language::Language;
+use groundling::ui::page::world::WORLDS;
+use groundling::ui::talk::Action as Talk;
+use groundling::ui::talk::why::messages::{Message, messages};
+use groundling::ui::train::Action as Train;
 use groundling::worker::protocol::{
     Answer, Claim, CorpusReport, Envelope, Event, Fate, Noun, PairText, PlanProgress, PlanText,
     Program, Reading, Request, RowSummary, TrainReport, VERSION, Why, Word,
@@ -40,7 +45,7 @@ pub(crate) struct Page {
 impl Page {
     /// A page that has opened; its engine is not up yet.
     pub(crate) fn new() -> Page {
-        let state = State::new();
+        let state = State::default();
         let mut page = Page { state, posted: Vec::new(), timers: Vec::new(), others: Vec::new() };
         page.act(Action::Opened(Language::English));
         page
@@ -59,14 +64,15 @@ impl Page {
     /// A page that was told something: one reading, and a plan of so many steps to the east.
     pub(crate) fn told(steps: i32) -> Page {
         let mut page = Page::ready();
-        page.act(Action::AskExample("go".to_owned()));
-        let start = page.state.shown().clone();
+        page.act(Talk::AskExample("go".to_owned()));
+        let start = page.shown().clone();
         page.answer(Event::Answer(Box::new(understood("go", Some(plan(&start, steps))))));
         page
     }
 
-    pub(crate) fn act(&mut self, action: Action) {
-        for effect in reduce(&mut self.state, action) {
+    /// Something happened, or was done on one of the pages.
+    pub(crate) fn act(&mut self, action: impl Act) {
+        for effect in reduce(&mut self.state, action.whole()) {
             match effect {
                 Effect::Post(program, envelope) => {
                     assert_eq!(envelope.groundling, VERSION);
@@ -101,11 +107,50 @@ impl Page {
         &self.posted.last().expect("a request is at work").2
     }
 
+    pub(crate) fn shown(&self) -> &World {
+        self.state.talk.shown(&self.state.shared)
+    }
+
+    pub(crate) fn heard(&self) -> Option<&Answer> {
+        self.state.talk.heard(&self.state.shared)
+    }
+
+    pub(crate) fn messages(&self) -> Vec<Message> {
+        messages(&self.state.talk, &self.state.shared)
+    }
+
+    pub(crate) fn can_ask(&self) -> bool {
+        self.state.shared.can_ask()
+    }
+
     /// Rings the timers that were started, until one that plays the plan has rung.
     pub(crate) fn play_on(&mut self) -> bool {
         let timers = std::mem::take(&mut self.timers);
         let play = timers.into_iter().rev().find(|t| matches!(t, Timer::Play(_)));
         play.map(|timer| self.act(Action::Rang(timer))).is_some()
+    }
+}
+
+/// What can be done: on the whole, or on one of the pages.
+pub(crate) trait Act {
+    fn whole(self) -> Action;
+}
+
+impl Act for Action {
+    fn whole(self) -> Action {
+        self
+    }
+}
+
+impl Act for Talk {
+    fn whole(self) -> Action {
+        Action::Talk(self)
+    }
+}
+
+impl Act for Train {
+    fn whole(self) -> Action {
+        Action::Train(self)
     }
 }
 
@@ -119,7 +164,7 @@ pub(crate) fn model(text: &str) -> TrainReport {
 }
 
 pub(crate) fn world() -> World {
-    State::new().document.world
+    Document::new().world
 }
 
 pub(crate) fn pair() -> PairText {
@@ -213,10 +258,10 @@ fn it_opens_with_the_engine_that_answers_and_the_model() {
     assert!(page.posted.is_empty(), "nothing is sent before the engine is up");
     page.hear(Program::Talker, 0, Event::Ready);
     assert_eq!(page.asked(), &Request::OpenModel { text: "the model".to_owned() });
-    assert!(!page.state.can_ask());
+    assert!(!page.can_ask());
     page.answer(Event::Opened(model("the model")));
-    assert!(page.state.can_ask() && page.posted.is_empty());
-    assert_eq!(page.state.learner.health, Health::Asleep, "nobody has asked to learn");
+    assert!(page.can_ask() && page.posted.is_empty());
+    assert_eq!(page.state.shared.learner.health, Health::Asleep, "nobody has asked to learn");
 }
 
 #[test]
@@ -224,11 +269,11 @@ fn a_model_that_does_not_come_is_told_and_can_be_fetched_again() {
     let mut page = Page::new();
     page.hear(Program::Talker, 0, Event::Ready);
     page.act(Action::Fetched(Err("status 404".to_owned())));
-    assert!(page.state.model_notice.as_ref().is_some_and(|words| words.contains("404")));
+    assert!(page.state.shared.model_notice.as_ref().is_some_and(|words| words.contains("404")));
     page.others.clear();
-    page.act(Action::FetchModel);
+    page.act(Talk::FetchModel);
     assert_eq!(page.others, [Effect::FetchModel]);
-    assert_eq!(page.state.model_notice, None);
+    assert_eq!(page.state.shared.model_notice, None);
 }
 
 #[test]
@@ -236,7 +281,7 @@ fn the_worlds_it_offers_are_legal_and_have_a_blue_room() {
     for choice in WORLDS {
         let world = choice.open().expect("a world is a state");
         world.check().unwrap_or_else(|errors| panic!("{:?}: {errors:?}", choice.name));
-        let words = State::new().text().world(&world);
+        let words = English.world(&world);
         assert!(words.contains("blue") && world.rooms.len() == 3, "{words}");
     }
 }
@@ -244,26 +289,26 @@ fn the_worlds_it_offers_are_legal_and_have_a_blue_room() {
 #[test]
 fn a_stopped_engine_is_started_again_with_all_it_had() {
     let mut page = Page::told(2);
-    let before = page.state.document.clone();
+    let before = page.state.shared.document.clone();
     page.hear(Program::Talker, 0, Event::Crashed { message: "first".to_owned() });
     page.act(Action::EngineBroke(Program::Talker, "second".to_owned()));
-    assert_eq!(page.state.talker.health, Health::Stopped("first".to_owned()));
-    assert!(!page.state.can_ask());
+    assert_eq!(page.state.shared.talker.health, Health::Stopped("first".to_owned()));
+    assert!(!page.can_ask());
     page.posted.clear();
     page.act(Action::RestartEngine(Program::Talker));
     assert_eq!(page.others, [Effect::SpawnEngine(Program::Talker)]);
     page.hear(Program::Talker, 0, Event::Ready);
     assert_eq!(page.asked(), &Request::OpenModel { text: "the model".to_owned() });
     page.answer(Event::Opened(model("the model")));
-    assert!(page.state.can_ask());
-    assert_eq!(page.state.document, before, "nothing is lost");
+    assert!(page.can_ask());
+    assert_eq!(page.state.shared.document, before, "nothing is lost");
 }
 
 #[test]
 fn an_engine_that_says_nothing_is_given_up() {
     let mut page = Page::ready();
-    page.act(Action::AskExample("go".to_owned()));
-    let talker = |page: &Page| page.state.talker.health.clone();
+    page.act(Talk::AskExample("go".to_owned()));
+    let talker = |page: &Page| page.state.shared.talker.health.clone();
     for _ in 0..4 {
         let watch = page.timers.pop().expect("a watch is kept");
         page.act(Action::Rang(watch));
@@ -284,7 +329,7 @@ fn an_engine_of_another_version_is_refused() {
     let mut page = Page::ready();
     let envelope = Envelope { groundling: VERSION + 1, id: 0, body: Event::Pong };
     page.act(Action::Heard(Program::Talker, envelope));
-    assert!(matches!(page.state.talker.health, Health::Stopped(_)));
+    assert!(matches!(page.state.shared.talker.health, Health::Stopped(_)));
 }
 
 #[test]

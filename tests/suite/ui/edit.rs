@@ -3,8 +3,9 @@
 use super::world;
 use groundling::domain::{Cell, Color, Direction, Lock, Shape, State, cell_at, generate};
 use groundling::render::Thing;
-use groundling::ui::edit::{
-    self, Look, Obstacle, add, add_anywhere, door, drive, erase, item_at, paint, put, turn,
+use groundling::ui::page::place::item_at;
+use groundling::ui::talk::room::edit::{
+    self, Look, Obstacle, add, add_anywhere, door, drive, erase, paint, put, turn,
 };
 use proptest::prelude::{Strategy, any, prop};
 use proptest::{prop_assert_eq, proptest};

@@ -2,11 +2,13 @@
 
 use super::{Page, failed, no_plan, plan, reading, understood, word, world};
 use groundling::domain::{Color, Shape};
-use groundling::ui::action::Action;
-use groundling::ui::edit::Look;
-use groundling::ui::room::Mode;
-use groundling::ui::text::Language;
-use groundling::ui::why::{self, Help, Message};
+use groundling::ui::app::Action;
+use groundling::ui::page::language::Language;
+use groundling::ui::talk;
+use groundling::ui::talk::room::edit::Look;
+use groundling::ui::talk::room::state::Mode;
+use groundling::ui::talk::why::help::Help;
+use groundling::ui::talk::why::messages::Message;
 use groundling::worker::protocol::{
     Answer, Article, Description, Event, Fate, Noun, Phrase, Referent, Refers, Request, Word,
 };
@@ -14,13 +16,13 @@ use groundling::worker::protocol::{
 /// A page that was told something and answered so.
 fn answered(answer: Answer) -> Page {
     let mut page = Page::ready();
-    page.act(Action::AskExample(answer.command.clone()));
+    page.act(talk::Action::AskExample(answer.command.clone()));
     page.answer(Event::Answer(Box::new(answer)));
     page
 }
 
 fn messages(answer: Answer) -> Vec<Message> {
-    why::messages(&answered(answer).state)
+    answered(answer).messages()
 }
 
 fn phrase(refers: Refers, referents: Vec<Referent>) -> Phrase {
@@ -87,8 +89,8 @@ fn every_failure_says_what_is_wrong_and_what_to_do() {
     for language in Language::ALL {
         for (kind, answer) in cases.clone() {
             let mut page = answered(answer);
-            page.state.language = language;
-            let found = why::messages(&page.state);
+            page.state.shared.language = language;
+            let found = page.messages();
             assert_eq!(found.iter().map(|m| m.kind).collect::<Vec<_>>(), [kind]);
             assert!(found[0].what.len() > 10 && found[0].fix.len() > 10, "{:?}", found[0]);
         }
@@ -118,7 +120,7 @@ fn words_that_were_left_out_are_told_unknown_ones_first() {
 fn a_near_spelling_is_said_instead() {
     let words = vec![word("go", Fate::Idle), word("roon", Fate::Unknown), word("now", Fate::Idle)];
     let mut page = answered(Answer { words, ..failed("go roon now", "unknown_words") });
-    page.act(Action::Help(Help::Say((1, 2), "to the room".to_owned())));
+    page.act(talk::Action::Help(Help::Say((1, 2), "to the room".to_owned())));
     assert!(
         matches!(page.asked(), Request::Ask { command, .. } if command == "go to the room now")
     );
@@ -141,11 +143,12 @@ fn what_is_missing_is_put_there_at_a_press() {
     let look = Look { shape: Shape::Chair, color: Color::Red, size: None };
     let answer = failing(Refers::None, Vec::new());
     let mut page = answered(answer);
-    assert_eq!(why::messages(&page.state)[0].helps, [Help::Add(look), Help::Edit]);
-    page.act(Action::Help(Help::Add(look)));
-    let chairs = page.state.document.world.objects.iter().filter(|o| o.shape == Shape::Chair);
+    assert_eq!(page.messages()[0].helps, [Help::Add(look), Help::Edit]);
+    page.act(talk::Action::Help(Help::Add(look)));
+    let chairs =
+        page.state.shared.document.world.objects.iter().filter(|o| o.shape == Shape::Chair);
     assert_eq!(chairs.count(), 1);
-    assert!(page.state.talker.is_at(
+    assert!(page.state.shared.talker.is_at(
         |request| matches!(request, Request::Ask { command, .. } if command == "go to the red chair")
     ));
 }
@@ -155,33 +158,33 @@ fn what_is_in_the_way_gives_way_at_a_press() {
     for (help, holds) in [
         (
             Help::FreeLandmarks,
-            (|page| !page.state.document.rules.landmarks_stay) as fn(&Page) -> bool,
+            (|page| !page.state.shared.document.rules.landmarks_stay) as fn(&Page) -> bool,
         ),
-        (Help::Pull, |page| page.state.document.rules.pull),
-        (Help::NoChance, |page| page.state.document.rules.slip == 0.0),
+        (Help::Pull, |page| page.state.shared.document.rules.pull),
+        (Help::NoChance, |page| page.state.shared.document.rules.slip == 0.0),
     ] {
         let mut page = answered(understood("go", Some(no_plan("unreachable"))));
-        page.act(Action::Help(help.clone()));
+        page.act(talk::Action::Help(help.clone()));
         assert!(holds(&page), "{help:?}");
         assert!(matches!(page.asked(), Request::Plan { .. }), "{help:?}");
         page.act(Action::Undo);
-        assert!(page.state.document.rules == Page::ready().state.document.rules);
+        assert!(page.state.shared.document.rules == Page::ready().state.shared.document.rules);
     }
     let mut page = answered(understood("go", Some(no_plan("unreachable"))));
-    page.act(Action::Help(Help::Unlock));
+    page.act(talk::Action::Help(Help::Unlock));
     assert!(matches!(page.asked(), Request::Ask { .. } | Request::Read { .. }));
 }
 
 #[test]
 fn a_command_that_was_not_understood_can_be_shown_instead() {
     let mut page = answered(failed("do the thing", "no_parse"));
-    page.act(Action::Help(Help::Teach));
+    page.act(talk::Action::Help(Help::Teach));
     assert_eq!(
-        (page.state.room.mode, page.state.teach.words.as_str()),
+        (page.state.talk.room.mode, page.state.talk.teach.words.as_str()),
         (Mode::Teach, "do the thing")
     );
-    page.act(Action::Help(Help::Edit));
-    assert_eq!(page.state.room.mode, Mode::Edit);
-    page.act(Action::Help(Help::OtherWorld));
+    page.act(talk::Action::Help(Help::Edit));
+    assert_eq!(page.state.talk.room.mode, Mode::Edit);
+    page.act(talk::Action::Help(Help::OtherWorld));
     assert!(matches!(page.asked(), Request::Draw { .. }));
 }

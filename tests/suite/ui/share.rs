@@ -1,8 +1,11 @@
 //! Sharing: what goes out comes back the same, and what comes in is checked.
 
 use super::{Page, model, pair, understood, world};
-use groundling::ui::action::{Action, Depth, Effect};
-use groundling::ui::share::{Session, SessionError, VERSION};
+use groundling::ui::app::Action;
+use groundling::ui::page::effect::Effect;
+use groundling::ui::page::preferences::Depth;
+use groundling::ui::talk;
+use groundling::ui::talk::share::session::{Session, SessionError, VERSION};
 use groundling::worker::protocol::{Event, Lesson, MOST_TAUGHT, Request, WorldRules};
 use proptest::prelude::any;
 use proptest::proptest;
@@ -29,7 +32,7 @@ fn a_session_reads_back_as_it_was_written() {
 fn what_is_shared_is_what_was_said_and_where() {
     let mut page = Page::told(3);
     while page.play_on() {}
-    page.act(Action::Share);
+    page.act(talk::Action::Share);
     let Some(Effect::Share(text)) = page.others.last() else { panic!() };
     let shared = Session::read(text).unwrap();
     assert_eq!((shared.world, shared.command.as_deref()), (world(), Some("go")));
@@ -39,8 +42,11 @@ fn what_is_shared_is_what_was_said_and_where() {
 #[test]
 fn a_shared_session_opens_lessons_first_then_the_command_then_the_reading() {
     let mut page = Page::ready();
-    page.act(Action::LinkOpened(Ok(session().write())));
-    assert_eq!((page.state.depth, page.state.document.rules.pull), (Depth::See, true));
+    page.act(talk::Action::Open(Ok(session().write())));
+    assert_eq!(
+        (page.state.shared.depth, page.state.shared.document.rules.pull),
+        (Depth::See, true)
+    );
     page.hear(groundling::worker::protocol::Program::Learner, 0, Event::Ready);
     assert!(matches!(page.asked(), Request::Teach { examples, .. } if examples.len() == 1));
     let report = groundling::worker::protocol::TeachReport {
@@ -51,7 +57,7 @@ fn a_shared_session_opens_lessons_first_then_the_command_then_the_reading() {
     page.answer(Event::Taught(Box::new(report)));
     page.answer(Event::Opened(model("taught")));
     assert!(
-        page.state.talker.is_at(
+        page.state.shared.talker.is_at(
             |r| matches!(r, Request::Ask { command, .. } if command == "go to the blue room")
         )
     );
@@ -62,7 +68,10 @@ fn a_shared_session_opens_lessons_first_then_the_command_then_the_reading() {
     }
     page.answer(Event::Answer(Box::new(answer)));
     assert!(
-        page.state.talker.is_at(|r| matches!(r, Request::Plan { form, .. } if form == "(g:t)"))
+        page.state
+            .shared
+            .talker
+            .is_at(|r| matches!(r, Request::Plan { form, .. } if form == "(g:t)"))
     );
     page.act(Action::Undo);
 }
@@ -91,10 +100,12 @@ fn what_a_link_may_not_hold_is_refused_and_changes_nothing() {
         let error = Session::read(&session.write()).unwrap_err();
         assert!(wanted(&error), "{error:?}");
         let mut page = Page::ready();
-        let before = page.state.document.clone();
-        page.act(Action::LinkOpened(Ok(session.write())));
-        assert_eq!(page.state.document, before);
-        assert!(page.state.sharing.notice.as_ref().is_some_and(|n| n.contains(&error.to_string())));
+        let before = page.state.shared.document.clone();
+        page.act(talk::Action::Open(Ok(session.write())));
+        assert_eq!(page.state.shared.document, before);
+        assert!(
+            page.state.talk.sharing.notice.as_ref().is_some_and(|n| n.contains(&error.to_string()))
+        );
     }
     assert!(matches!(Session::read("{"), Err(SessionError::NotASession(_))));
     assert_eq!(Session::read(&" ".repeat(5_000_000)), Err(SessionError::TooLong));

@@ -2,99 +2,107 @@
 
 use super::{Page, failed, no_plan, plan, reading, understood, world};
 use groundling::domain::Lock;
-use groundling::ui::action::{Action, Depth, Effect, Timer};
-use groundling::ui::playback::Surprise;
-use groundling::ui::watch::{Layer, RUNS, Speed};
+use groundling::ui::app::Action;
+use groundling::ui::page::effect::{Effect, Timer};
+use groundling::ui::page::preferences::Depth;
+use groundling::ui::talk;
+use groundling::ui::talk::command::ask::is_asking;
+use groundling::ui::talk::watch::playback::Surprise;
+use groundling::ui::talk::watch::state::{Layer, Speed};
+use groundling::ui::talk::watch::values::RUNS;
 use groundling::worker::protocol::{Event, PlanText, Request, Runs, ValueMap, WorldRules};
 
 #[test]
 fn what_is_typed_is_read_at_once_and_only_the_latest_counts() {
     let mut page = Page::ready();
-    page.act(Action::Typed("go".to_owned()));
+    page.act(talk::Action::Typed("go".to_owned()));
     assert!(matches!(page.asked(), Request::Read { command, .. } if command == "go"));
-    page.act(Action::Typed("go to".to_owned()));
-    page.act(Action::Typed("go to it".to_owned()));
+    page.act(talk::Action::Typed("go to".to_owned()));
+    page.act(talk::Action::Typed("go to it".to_owned()));
     assert_eq!(page.posted.len(), 1, "the engine is still at the first");
     page.answer(Event::Answer(Box::new(understood("go", None))));
-    assert!(page.state.talk.live.is_none(), "an answer to what is no longer there is no answer");
+    assert!(
+        page.state.talk.command.live.is_none(),
+        "an answer to what is no longer there is no answer"
+    );
     assert!(matches!(page.asked(), Request::Read { command, .. } if command == "go to it"));
     page.answer(Event::Answer(Box::new(understood("go to it", None))));
-    assert_eq!(page.state.heard().map(|answer| &*answer.command), Some("go to it"));
-    assert!(page.state.document.said.is_none() && !page.state.history.can_undo());
-    page.act(Action::Typed(String::new()));
-    assert!(page.state.heard().is_none());
+    assert_eq!(page.heard().map(|answer| &*answer.command), Some("go to it"));
+    assert!(page.state.shared.document.said.is_none() && !page.state.shared.history.can_undo());
+    page.act(talk::Action::Typed(String::new()));
+    assert!(page.heard().is_none());
 }
 
 #[test]
 fn a_command_becomes_a_plan_that_plays_to_its_end() {
     let start = world();
     let mut page = Page::told(3);
-    assert_eq!(page.state.shown(), &start);
+    assert_eq!(page.shown(), &start);
     let mut rung = 0;
     while page.play_on() {
         rung += 1;
     }
     assert_eq!(rung, 3);
-    assert_eq!(page.state.shown().agent.x, start.agent.x + 3);
-    assert!(page.state.announcement.starts_with("Done in 3 steps."));
+    assert_eq!(page.shown().agent.x, start.agent.x + 3);
+    assert!(page.state.shared.announcement.starts_with("Done in 3 steps."));
 
     // The next command is said where the robot stands now; undo goes back a command at a time.
-    page.act(Action::Ask);
+    page.act(talk::Action::Ask);
     let Request::Ask { state, .. } = page.asked() else { panic!() };
     assert_eq!(state.agent.x, start.agent.x + 3);
     page.answer(Event::Answer(Box::new(failed("go", "no_parse"))));
-    assert!(page.state.document.reading().is_none());
+    assert!(page.state.shared.document.reading().is_none());
     page.act(Action::Undo);
-    assert!(page.state.document.reading().is_some());
+    assert!(page.state.shared.document.reading().is_some());
     page.act(Action::Undo);
-    assert_eq!(page.state.shown(), &start);
-    assert!(!page.state.history.can_undo());
+    assert_eq!(page.shown(), &start);
+    assert!(!page.state.shared.history.can_undo());
     page.act(Action::Redo);
-    assert_eq!(page.state.shown().agent.x, start.agent.x + 3);
-    assert_eq!(page.state.talk.input, "go");
+    assert_eq!(page.shown().agent.x, start.agent.x + 3);
+    assert_eq!(page.state.talk.command.input, "go");
 }
 
 #[test]
 fn a_plan_can_be_paused_stepped_scrubbed_and_hurried() {
     let start = world();
     let mut page = Page::told(4);
-    page.act(Action::TogglePlay);
+    page.act(talk::Action::TogglePlay);
     page.play_on();
-    assert_eq!(page.state.shown(), &start, "a timer from before the pause moves nothing");
-    page.act(Action::Seek(3));
-    assert_eq!(page.state.shown().agent.x, start.agent.x + 3);
-    assert!(page.state.announcement.starts_with("Step 3 of 4: east"));
-    page.act(Action::Seek(99));
-    page.act(Action::TogglePlay);
-    assert_eq!(page.state.shown(), &start, "played again from the start");
+    assert_eq!(page.shown(), &start, "a timer from before the pause moves nothing");
+    page.act(talk::Action::Seek(3));
+    assert_eq!(page.shown().agent.x, start.agent.x + 3);
+    assert!(page.state.shared.announcement.starts_with("Step 3 of 4: east"));
+    page.act(talk::Action::Seek(99));
+    page.act(talk::Action::TogglePlay);
+    assert_eq!(page.shown(), &start, "played again from the start");
     page.timers.clear();
-    page.act(Action::SetSpeed(Speed::Fourfold));
+    page.act(talk::Action::SetSpeed(Speed::Fourfold));
     assert!(matches!(page.timers.as_slice(), [Timer::Play(_)]), "the next step comes sooner");
-    page.act(Action::ResetWorld);
-    assert!(page.state.watch.playback.is_none());
-    assert_eq!(page.state.shown(), &start);
+    page.act(talk::Action::ResetWorld);
+    assert!(page.state.talk.watch.playback.is_none());
+    assert_eq!(page.shown(), &start);
 }
 
 #[test]
 fn another_reading_is_planned_for_from_where_the_command_was_said() {
     let start = world();
     let mut page = Page::ready();
-    page.act(Action::AskExample("go".to_owned()));
+    page.act(talk::Action::AskExample("go".to_owned()));
     let mut answer = understood("go", Some(plan(&start, 2)));
     answer.readings.push(reading("(g:t)"));
     page.answer(Event::Answer(Box::new(answer)));
     while page.play_on() {}
-    page.act(Action::Choose(7));
+    page.act(talk::Action::Choose(7));
     assert!(page.posted.is_empty(), "there is no such reading");
-    page.act(Action::Choose(1));
+    page.act(talk::Action::Choose(1));
     let Request::Plan { form, state, .. } = page.asked() else { panic!() };
     assert_eq!((form.as_str(), state), ("(g:t)", &start));
     page.answer(Event::Planned(Box::new(plan(&start, 1))));
     while page.play_on() {}
-    assert_eq!(page.state.shown().agent.x, start.agent.x + 1);
+    assert_eq!(page.shown().agent.x, start.agent.x + 1);
     page.act(Action::Undo);
-    assert_eq!(page.state.document.said.as_ref().map(|said| said.chosen), Some(0));
-    assert_eq!(page.state.shown().agent.x, start.agent.x + 2);
+    assert_eq!(page.state.shared.document.said.as_ref().map(|said| said.chosen), Some(0));
+    assert_eq!(page.shown().agent.x, start.agent.x + 2);
 }
 
 #[test]
@@ -102,16 +110,16 @@ fn other_rules_plan_anew_and_are_undone_like_all_else() {
     let start = world();
     let mut page = Page::told(2);
     let rules = WorldRules { pull: true, slip: 0.1, ..WorldRules::default() };
-    page.act(Action::SetRules(rules));
+    page.act(talk::Action::SetRules(rules));
     assert!(matches!(page.asked(), Request::Plan { state, rules: asked, .. }
         if *state == start && *asked == rules));
     page.answer(Event::Planned(Box::new(no_plan("unreachable"))));
     assert_eq!(
-        page.state.document.plan().and_then(|p| p.reason.clone()).as_deref(),
+        page.state.shared.document.plan().and_then(|p| p.reason.clone()).as_deref(),
         Some("unreachable")
     );
     page.act(Action::Undo);
-    assert_eq!(page.state.document.rules, WorldRules::default());
+    assert_eq!(page.state.shared.document.rules, WorldRules::default());
 }
 
 #[test]
@@ -124,10 +132,10 @@ fn values_are_asked_for_when_they_are_to_be_seen_and_once_for_each_arrangement()
     while page.play_on() {}
     assert!(page.posted.is_empty(), "only the robot moved: the values are the same");
     for layer in [Layer::Values, Layer::Arrows] {
-        page.act(Action::ToggleLayer(layer));
+        page.act(talk::Action::ToggleLayer(layer));
     }
-    page.act(Action::AskExample("go".to_owned()));
-    let again = plan(page.state.shown(), 1);
+    page.act(talk::Action::AskExample("go".to_owned()));
+    let again = plan(page.shown(), 1);
     page.answer(Event::Answer(Box::new(understood("go", Some(again)))));
     assert!(page.posted.is_empty(), "nobody looks any more");
 }
@@ -135,7 +143,7 @@ fn values_are_asked_for_when_they_are_to_be_seen_and_once_for_each_arrangement()
 #[test]
 fn a_policy_is_tried_many_times() {
     let mut page = Page::told(1);
-    page.act(Action::TryMany);
+    page.act(talk::Action::TryMany);
     assert_eq!(page.asked(), &Request::RollOut { runs: RUNS, seed: 0 });
     let runs = Runs {
         runs: 10,
@@ -147,21 +155,21 @@ fn a_policy_is_tried_many_times() {
     };
     let (program, id, _) = page.posted.last().cloned().expect("it is at work");
     page.hear(program, id, Event::RollingOut(Runs { runs: 5, ..runs }));
-    assert_eq!(page.state.watch.runs.map(|runs| runs.runs), Some(5));
+    assert_eq!(page.state.talk.watch.runs.map(|runs| runs.runs), Some(5));
     page.answer(Event::RolledOut(runs));
-    assert!(page.state.announcement.starts_with("9 of 10 runs got there: 90 % [60, 98]"));
+    assert!(page.state.shared.announcement.starts_with("9 of 10 runs got there: 90 % [60, 98]"));
 }
 
 #[test]
 fn a_planner_can_be_stopped() {
     let mut page = Page::ready();
-    page.act(Action::AskExample("go".to_owned()));
-    assert!(page.state.is_asking());
-    page.act(Action::StopPlanning);
+    page.act(talk::Action::AskExample("go".to_owned()));
+    assert!(is_asking(&page.state.shared));
+    page.act(talk::Action::StopPlanning);
     let (program, id, request) = page.posted.pop().expect("it was told");
     assert_eq!(request, Request::Cancel);
     page.hear(program, id, Event::Cancelled);
-    assert!(!page.state.is_asking() && page.state.talk.notice.is_some());
+    assert!(!is_asking(&page.state.shared) && page.state.talk.command.notice.is_some());
 }
 
 #[test]
@@ -187,7 +195,8 @@ fn what_nobody_expected_is_told() {
         (vec![moved.clone(), turned], Some(Surprise::LeftBehind)),
         (vec![start.clone(), moved], None),
     ] {
-        let mut playback = groundling::ui::playback::Playback::begin(&walk(states)).unwrap();
+        let mut playback =
+            groundling::ui::talk::watch::playback::Playback::begin(&walk(states)).unwrap();
         assert_eq!(playback.surprise(), None, "nothing has happened yet");
         playback.seek(1);
         assert_eq!(playback.surprise(), wanted);
@@ -200,7 +209,7 @@ fn studies_are_asked_for_by_those_who_study() {
     page.act(Action::Deepen(Depth::Study));
     let explain = |page: &Page| {
         page.posted.iter().any(|(.., request)| matches!(request, Request::Explain { .. }))
-            || page.state.talker.is_at(|request| matches!(request, Request::Explain { .. }))
+            || page.state.shared.talker.is_at(|request| matches!(request, Request::Explain { .. }))
     };
     assert!(explain(&page));
     assert!(!page.others.iter().any(|effect| matches!(effect, Effect::FetchModel)));

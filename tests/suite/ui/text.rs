@@ -2,8 +2,14 @@
 
 use super::world;
 use groundling::domain::{Color, Lock, Shape};
-use groundling::ui::text::Language;
+use groundling::ui::page::grammar::Phrases;
+use groundling::ui::page::language::Language;
+use groundling::ui::talk::words::Text;
 use groundling::worker::protocol::{Article, Claim, Description, Noun};
+
+fn phrases(language: Language) -> &'static dyn Phrases {
+    Text::of(language).phrases
+}
 
 fn described(article: Article, properties: &[&str], claims: Vec<Claim>) -> Noun {
     let properties = properties.iter().map(|p| (*p).to_owned()).collect();
@@ -58,8 +64,8 @@ fn goals_are_said_in_plain_words() {
         ),
     ];
     for (claim, english, german) in cases {
-        assert_eq!(Language::English.text().sentence(&claim), english);
-        assert_eq!(Language::German.text().sentence(&claim), german);
+        assert_eq!(phrases(Language::English).sentence(&claim), english);
+        assert_eq!(phrases(Language::German).sentence(&claim), german);
     }
 }
 
@@ -69,7 +75,7 @@ fn every_cell_of_a_room_has_a_name() {
     state.doors[0].lock = Lock::Locked;
     let bounds = state.extent().unwrap();
     for language in Language::ALL {
-        let text = language.text();
+        let text = phrases(language);
         for cell in bounds.cells() {
             assert!(text.cell(&state, cell).len() > 10);
         }
@@ -78,7 +84,7 @@ fn every_cell_of_a_room_has_a_name() {
         assert!(text.world(&state).len() > 60);
     }
     let block = &state.objects[0];
-    let said = Language::English.text().cell(&state, (block.x, block.y));
+    let said = phrases(Language::English).cell(&state, (block.x, block.y));
     assert!(said.ends_with("in the red room: yellow block"), "{said}");
 }
 
@@ -88,7 +94,7 @@ fn changes_are_announced() {
     let mut after = before.clone();
     after.doors[0].lock = Lock::Locked;
     (after.objects[0].x, after.objects[0].y) = (1, 1);
-    let text = Language::English.text();
+    let text = phrases(Language::English);
     let said = text.change(&before, &after);
     assert!(said.contains("The yellow block is now in the blue room."), "{said}");
     assert!(said.contains("is locked."), "{said}");
@@ -101,9 +107,9 @@ fn changes_are_announced() {
 #[test]
 fn every_language_names_all_there_is() {
     for language in Language::ALL {
-        let text = language.text();
-        let mut names: Vec<&str> = Color::ALL.iter().map(|c| text.color_name(*c)).collect();
-        names.extend(Shape::ALL.iter().map(|s| text.shape_name(*s)));
+        let text = phrases(language);
+        let mut names: Vec<&str> = Color::ALL.iter().map(|c| text.color(*c)).collect();
+        names.extend(Shape::ALL.iter().map(|s| text.shape(*s)));
         let n = names.len();
         names.sort_unstable();
         names.dedup();

@@ -1,11 +1,13 @@
 //! The workbench: corpora, bad files, training.
 
 use super::{Page, model, pair, report};
-use groundling::ui::action::{Action, View};
-use groundling::ui::corpus::{DEMO, PAGE};
-use groundling::ui::document::Origin;
-use groundling::ui::files::{self, Fault, Kind};
-use groundling::ui::train::SETTINGS;
+use groundling::ui::app::Action;
+use groundling::ui::app::action::View;
+use groundling::ui::page::document::Origin;
+use groundling::ui::page::files::{self, Fault, Kind, Offered};
+use groundling::ui::train;
+use groundling::ui::train::corpus::{DEMO, PAGE};
+use groundling::ui::train::state::SETTINGS;
 use groundling::worker::protocol::{
     CorpusReport, Event, Problem, Program, Progress, Request, SeedLexicon,
 };
@@ -23,6 +25,15 @@ fn bench(rows: usize) -> Page {
     page
 }
 
+/// A file was dropped.
+fn offered(name: &str, text: Result<&str, Fault>) -> Action {
+    Action::Offered(Offered { name: name.to_owned(), text: text.map(str::to_owned) })
+}
+
+fn can_train(page: &Page) -> bool {
+    page.state.train.can_train(&page.state.shared)
+}
+
 #[test]
 fn the_workbench_opens_with_the_six_sentences_and_their_pictures() {
     let mut page = Page::ready();
@@ -36,7 +47,7 @@ fn the_workbench_opens_with_the_six_sentences_and_their_pictures() {
         page.answer(Event::Row { row, pairs: vec![pair()] });
     }
     assert_eq!(page.state.train.corpus.as_ref().map(|c| c.pairs.len()), Some(6));
-    assert!(page.state.can_train());
+    assert!(can_train(&page));
     page.act(Action::Go(View::Talk));
     page.act(Action::Go(View::Train));
     assert!(page.posted.is_empty(), "it is open already");
@@ -45,7 +56,7 @@ fn the_workbench_opens_with_the_six_sentences_and_their_pictures() {
 #[test]
 fn training_shows_its_progress_and_can_be_cancelled() {
     let mut page = bench(6);
-    page.act(Action::Train);
+    page.act(train::Action::Train);
     let (program, id, request) = page.posted.last().cloned().expect("training was sent");
     assert_eq!(request, Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS });
     let progress = Progress {
@@ -59,12 +70,12 @@ fn training_shows_its_progress_and_can_be_cancelled() {
     };
     page.hear(program, id, Event::Progress(progress.clone()));
     assert_eq!(page.state.train.progress, Some(progress.clone()));
-    assert!(!page.state.can_train() && page.state.can_ask(), "one can talk meanwhile");
-    page.act(Action::CancelTraining);
+    assert!(!can_train(&page) && page.can_ask(), "one can talk meanwhile");
+    page.act(train::Action::CancelTraining);
     assert_eq!(page.posted.pop(), Some((program, id, Request::Cancel)));
     page.answer(Event::Cancelled);
     assert!(page.state.train.progress.is_none() && page.state.train.notice.is_some());
-    assert!(page.state.can_train());
+    assert!(can_train(&page));
     page.hear(program, id, Event::Progress(progress));
     assert_eq!(page.state.train.progress, None, "what comes late changes nothing");
 }
@@ -72,15 +83,15 @@ fn training_shows_its_progress_and_can_be_cancelled() {
 #[test]
 fn a_trained_model_is_given_to_the_engine_that_answers_and_can_be_undone() {
     let mut page = bench(6);
-    page.act(Action::Train);
+    page.act(train::Action::Train);
     page.answer(Event::Trained(model("trained here")));
     assert_eq!(page.asked(), &Request::OpenModel { text: "trained here".to_owned() });
     page.answer(Event::Opened(model("trained here")));
-    let origin = page.state.document.model.as_ref().map(|model| model.origin.clone());
+    let origin = page.state.shared.document.model.as_ref().map(|model| model.origin.clone());
     assert_eq!(origin, Some(Origin::Trained("six.csv".to_owned())));
     page.act(Action::Undo);
     assert_eq!(page.asked(), &Request::OpenModel { text: "the model".to_owned() });
-    let origin = page.state.document.model.as_ref().map(|model| model.origin.clone());
+    let origin = page.state.shared.document.model.as_ref().map(|model| model.origin.clone());
     assert_eq!(origin, Some(Origin::Shipped));
 }
 
@@ -89,7 +100,7 @@ fn a_bad_file_loses_nothing() {
     let mut page = bench(6);
     let before = page.state.train.corpus.clone();
     let flaw = Problem { line: 3, column: None, message: "broken".to_owned(), kept: false };
-    page.act(Action::FileRead { name: "bad.csv".to_owned(), text: "x".to_owned() });
+    page.act(offered("bad.csv", Ok("x")));
     page.answer(Event::Corpus(CorpusReport {
         problems: vec![flaw.clone()],
         ..report("bad.csv", 0)
@@ -98,30 +109,30 @@ fn a_bad_file_loses_nothing() {
     let notice = |page: &Page| page.state.train.file_notice.clone();
     assert_eq!(notice(&page).map(|n| n.problems), Some(vec![flaw]));
 
-    page.act(Action::FileRead { name: "no.csv".to_owned(), text: "x".to_owned() });
+    page.act(offered("no.csv", Ok("x")));
     page.answer(Event::Refused { message: "not a corpus".to_owned() });
     assert_eq!(page.state.train.corpus, before);
-    page.act(Action::FileRefused("big.csv".to_owned(), Fault::TooLarge));
+    page.act(offered("big.csv", Err(Fault::TooLarge)));
     assert!(notice(&page).is_some_and(|n| n.message.contains("big.csv is larger")));
-    assert!(page.state.document.model.is_some());
+    assert!(page.state.shared.document.model.is_some());
 
-    page.act(Action::FileRead { name: "good.csv".to_owned(), text: "y".to_owned() });
+    page.act(offered("good.csv", Ok("y")));
     page.answer(Event::Corpus(report("good.csv", 200)));
     let corpus = page.state.train.corpus.as_ref().expect("a corpus is open");
     assert_eq!((&*corpus.text, corpus.shown), ("y", PAGE));
     assert_eq!(notice(&page), None);
     assert!(page.posted.is_empty(), "pictures of a large corpus come when a row is opened");
-    page.act(Action::ToggleRow(7));
+    page.act(train::Action::ToggleRow(7));
     assert_eq!(page.asked(), &Request::ShowRow { row: 7 });
 }
 
 #[test]
 fn the_learner_is_started_again_with_its_corpus() {
     let mut page = bench(6);
-    page.act(Action::Train);
+    page.act(train::Action::Train);
     page.posted.clear();
     page.hear(Program::Learner, 0, Event::Crashed { message: "gone".to_owned() });
-    assert!(page.state.can_ask(), "the other engine goes on");
+    assert!(page.can_ask(), "the other engine goes on");
     page.act(Action::RestartEngine(Program::Learner));
     page.hear(Program::Learner, 0, Event::Ready);
     assert!(matches!(page.asked(), Request::ReadCorpus { text, .. } if text == DEMO));

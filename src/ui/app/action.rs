@@ -1,0 +1,57 @@
+//! What can happen: a person did it on a page or around it, an engine said it, or a timer ran out.
+
+use crate::ui::page::effect::Timer;
+use crate::ui::page::files::Offered;
+use crate::ui::page::language::Language;
+use crate::ui::page::preferences::{Depth, Preferences};
+use crate::ui::{talk, train};
+use crate::worker::protocol::{Envelope, Event, Program};
+
+/// The pages.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum View {
+    /// Talk to the robot and watch it.
+    #[default]
+    Talk,
+    /// Train a parser on a corpus.
+    Train,
+}
+
+/// Something that happened.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// A person did something on the Talk page.
+    Talk(talk::Action),
+    /// A person did something on the Train page.
+    Train(train::Action),
+
+    /// The page has opened, in this language.
+    Opened(Language),
+    /// What the person prefers is known, or has changed.
+    Prefers(Preferences),
+    /// Another page was opened.
+    Go(View),
+    /// Another depth was chosen.
+    Deepen(Depth),
+    /// Another language was chosen.
+    Speak(Language),
+    /// Take the last change back.
+    Undo,
+    /// Do what was undone again.
+    Redo,
+    /// A file was dropped.
+    Offered(Offered),
+    /// Something was copied, or could not be.
+    Copied(bool),
+
+    /// An engine sent a message.
+    Heard(Program, Envelope<Event>),
+    /// An engine could not be loaded or died; the text says how.
+    EngineBroke(Program, String),
+    /// A person asked for a new engine.
+    RestartEngine(Program),
+    /// A timer ran out.
+    Rang(Timer),
+    /// The model that comes with the page is there, or is not; the text says why.
+    Fetched(Result<String, String>),
+}

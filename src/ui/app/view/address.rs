@@ -1,0 +1,127 @@
+//! The address of the page: which view is open stands behind its `#`, or a whole session, packed. Packing is the
+//! browser's own (`CompressionStream`), so that the page need not carry any.
+
+use crate::ui::app::action::{Action, View};
+use crate::ui::page::view::host;
+use crate::ui::talk;
+use crate::ui::talk::share::session::LONGEST_LINK;
+use crate::ui::talk::share::state::Link;
+use js_sys::{Array, Uint8Array};
+use wasm_bindgen::prelude::{Closure, wasm_bindgen};
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
+use web_sys::{Blob, ReadableWritablePair, Response, Window};
+use yew::Callback;
+
+/// What stands before a session in a link.
+const SESSION: &str = "#s=";
+
+/// How a session is packed.
+const FORMAT: &str = "deflate-raw";
+
+#[wasm_bindgen]
+extern "C" {
+    #[wasm_bindgen(extends = ReadableWritablePair)]
+    type CompressionStream;
+    #[wasm_bindgen(constructor, catch)]
+    fn new(format: &str) -> Result<CompressionStream, JsValue>;
+
+    #[wasm_bindgen(extends = ReadableWritablePair)]
+    type DecompressionStream;
+    #[wasm_bindgen(constructor, catch)]
+    fn new(format: &str) -> Result<DecompressionStream, JsValue>;
+}
+
+/// Tells the page what its address says, now and whenever it changes.
+pub(super) fn watch(act: &Callback<Action>) {
+    read(act);
+    let act = act.clone();
+    let changed = Closure::<dyn FnMut()>::new(move || read(&act));
+    if let Some(window) = web_sys::window() {
+        window.set_onhashchange(Some(changed.as_ref().unchecked_ref()));
+    }
+    // The page listens as long as it lives.
+    changed.forget();
+}
+
+fn read(act: &Callback<Action>) {
+    let hash = web_sys::window().and_then(|w| w.location().hash().ok()).unwrap_or_default();
+    if let Some(packed) = hash.strip_prefix(SESSION) {
+        let (packed, act) = (packed.to_owned(), act.clone());
+        spawn_local(
+            async move { act.emit(Action::Talk(talk::Action::Open(unpack(&packed).await))) },
+        );
+    } else if hash == "#train" {
+        act.emit(Action::Go(View::Train));
+    } else if hash == "#talk" {
+        act.emit(Action::Go(View::Talk));
+    }
+}
+
+/// Makes a link that holds a text, puts it into the address bar and onto the clipboard.
+pub(super) fn share(text: String, act: Callback<Action>) {
+    spawn_local(async move {
+        let link = match link(&text).await {
+            Ok(address) => {
+                let copied = host::copy(&address).await;
+                Ok(Link { address, copied })
+            }
+            Err(why) => Err(why),
+        };
+        act.emit(Action::Talk(talk::Action::Shared(link)));
+    });
+}
+
+async fn link(text: &str) -> Result<String, String> {
+    let broken = |error: JsValue| host::words(&error);
+    let window = web_sys::window().ok_or("there is no window")?;
+    let packed = pack(&window, text).await.map_err(broken)?;
+    if packed.len() > LONGEST_LINK {
+        return Err(format!(
+            "This is too much for a link ({} characters, at most {LONGEST_LINK}): save it as a file.",
+            packed.len()
+        ));
+    }
+    let location = window.location();
+    let address = location.href().map_err(broken)?;
+    let bare = address.split('#').next().unwrap_or_default();
+    let address = format!("{bare}{SESSION}{packed}");
+    // Without a new entry in the history, and without being told of it.
+    if let Ok(history) = window.history() {
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
+    }
+    Ok(address)
+}
+
+/// A text as a link holds it: deflated, in the letters of base 64 that an address needs not escape.
+async fn pack(window: &Window, text: &str) -> Result<String, JsValue> {
+    let blob = Blob::new_with_str_sequence(&Array::of1(&JsValue::from_str(text)))?;
+    let bytes = piped(&blob, &CompressionStream::new(FORMAT)?.into()).await?;
+    let letters: String = bytes.to_vec().into_iter().map(char::from).collect();
+    let letters = window.btoa(&letters)?;
+    Ok(letters.replace('+', "-").replace('/', "_").trim_end_matches('=').to_owned())
+}
+
+async fn unpack(packed: &str) -> Result<String, String> {
+    if packed.len() > LONGEST_LINK {
+        return Err("it is too long".to_owned());
+    }
+    let broken = |_: JsValue| "it is damaged, or was cut off on its way".to_owned();
+    let window = web_sys::window().ok_or("there is no window")?;
+    let letters = packed.replace('-', "+").replace('_', "/");
+    let letters = window.atob(&letters).map_err(broken)?;
+    let bytes: Vec<u8> = letters.chars().map(|c| c as u8).collect();
+    let parts = Array::of1(&Uint8Array::from(bytes.as_slice()));
+    let blob = Blob::new_with_u8_array_sequence(&parts).map_err(broken)?;
+    let stream = DecompressionStream::new(FORMAT).map_err(broken)?;
+    let bytes = piped(&blob, &stream.into()).await.map_err(broken)?;
+    String::from_utf8(bytes.to_vec()).map_err(|_| "it is damaged".to_owned())
+}
+
+/// The bytes of a blob behind a stream that changes them. Deflate makes at most a thousand of one, and what comes in
+/// is short.
+async fn piped(blob: &Blob, through: &ReadableWritablePair) -> Result<Uint8Array, JsValue> {
+    let changed = blob.stream().pipe_through(through);
+    let response = Response::new_with_opt_readable_stream(Some(&changed))?;
+    Ok(Uint8Array::new(&JsFuture::from(response.array_buffer()?).await?))
+}

@@ -1,0 +1,25 @@
+//! The frame around the pages in English; what each word is for stands here for all languages.
+
+use super::table::Text;
+
+/// The words.
+pub(super) static ENGLISH: Text = Text {
+    tagline: "Say what the robot should do. See what it understood.",
+    views: "Views",
+    talk: "Talk",
+    train: "Train",
+    skip: "Skip to the command",
+    language: "Language",
+    depth: "How deep to look",
+    depths: [
+        ("Say", "The room, your command, what it understood"),
+        ("See", "Other readings, goals, values and policy"),
+        ("Study", "Derivations, forms, features and scores"),
+    ],
+    undo: "Undo",
+    redo: "Redo",
+    undone: "Undone.",
+    redone: "Done again.",
+    stays_here: "Everything runs in this page. Nothing that you type, teach or open leaves your machine.",
+    drop_here: "Drop the file to open it",
+};

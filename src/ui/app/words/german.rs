@@ -1,0 +1,25 @@
+//! The frame around the pages in German.
+
+use super::table::Text;
+
+/// The words.
+pub(super) static GERMAN: Text = Text {
+    tagline: "Sag, was der Roboter tun soll. Sieh, was er verstanden hat.",
+    views: "Ansichten",
+    talk: "Sprechen",
+    train: "Trainieren",
+    skip: "Zum Befehl",
+    language: "Sprache",
+    depth: "Wie tief man hineinsieht",
+    depths: [
+        ("Sagen", "Der Raum, der Befehl, was er verstanden hat"),
+        ("Sehen", "Andere Lesarten, Ziele, Werte und Strategie"),
+        ("Studieren", "Herleitungen, Formeln, Merkmale und Punkte"),
+    ],
+    undo: "Rückgängig",
+    redo: "Wiederholen",
+    undone: "Rückgängig gemacht.",
+    redone: "Wiederholt.",
+    stays_here: "Alles läuft in dieser Seite. Nichts, was man eingibt, lehrt oder öffnet, verlässt den Rechner. Befehle sind auf Englisch.",
+    drop_here: "Datei zum Öffnen fallen lassen",
+};

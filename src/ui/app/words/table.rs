@@ -1,0 +1,34 @@
+//! What a language has to have a word for in the frame around the pages.
+
+use crate::ui::page::preferences::Depth;
+
+/// The words of a language.
+#[expect(missing_docs, reason = "the English table says what each is")]
+pub struct Text {
+    pub tagline: &'static str,
+    pub views: &'static str,
+    pub talk: &'static str,
+    pub train: &'static str,
+    pub skip: &'static str,
+    pub language: &'static str,
+    pub depth: &'static str,
+    pub depths: [(&'static str, &'static str); Depth::ALL.len()],
+    pub undo: &'static str,
+    pub redo: &'static str,
+    pub undone: &'static str,
+    pub redone: &'static str,
+    pub stays_here: &'static str,
+    pub drop_here: &'static str,
+}
+
+impl Text {
+    /// A depth's name.
+    pub const fn depth_name(&self, depth: Depth) -> &'static str {
+        self.depths[depth as usize].0
+    }
+
+    /// What is to be seen at a depth.
+    pub const fn depth_help(&self, depth: Depth) -> &'static str {
+        self.depths[depth as usize].1
+    }
+}

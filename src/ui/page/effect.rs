@@ -1,0 +1,41 @@
+//! What the pages want done ([`Effect`]). Plain data: a test reads effects, with no browser.
+
+use super::language::Language;
+use crate::worker::protocol::{Envelope, Program, Request};
+
+/// Something for the view to do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Effect {
+    /// Start a new engine, ending the one there is.
+    SpawnEngine(Program),
+    /// Send an engine a message.
+    Post(Program, Envelope<Request>),
+    /// Ring after so many milliseconds.
+    StartTimer(Timer, u32),
+    /// Get the model that comes with the page.
+    FetchModel,
+    /// The person reads another language.
+    SetLanguage(Language),
+    /// Make a link that holds a text, show it in the address bar and copy it.
+    Share(String),
+    /// Copy a text.
+    Copy(String),
+    /// Move the keyboard's focus to an element, and bring it into view.
+    Focus(&'static str),
+    /// Offer a text to the person as a file.
+    Save {
+        /// The file's name.
+        name: String,
+        /// Its text.
+        text: String,
+    },
+}
+
+/// What a timer was for. The number tells a stale one from the one that counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Timer {
+    /// The next step of the plan that is played.
+    Play(u32),
+    /// Time to see whether an engine still answers.
+    Watch(Program, u32),
+}

@@ -1,0 +1,70 @@
+//! Files that a person gives the page: what they are, and which are refused before they are read.
+
+/// The largest file that is read: 64 MiB.
+pub const MAX_BYTES: f64 = 67_108_864.0;
+
+/// What a file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A corpus: batch-results CSV or JSON lines.
+    Corpus,
+    /// A model.
+    Model,
+    /// All of a talk, as this page saves it.
+    Session,
+}
+
+/// Why a file cannot be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fault {
+    /// There is nothing in it.
+    Empty,
+    /// It is larger than [`MAX_BYTES`].
+    TooLarge,
+    /// The browser cannot get at it.
+    Unreadable,
+    /// It is not UTF-8, first in this line.
+    NotText(usize),
+}
+
+/// A file that a person gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Offered {
+    /// Its name.
+    pub name: String,
+    /// Its text, or why it cannot be read.
+    pub text: Result<String, Fault>,
+}
+
+/// Refuses a file by its size in bytes.
+///
+/// # Errors
+/// When it is empty or too large.
+pub fn admit(bytes: f64) -> Result<(), Fault> {
+    match bytes {
+        bytes if bytes <= 0.0 => Err(Fault::Empty),
+        bytes if bytes > MAX_BYTES => Err(Fault::TooLarge),
+        _ => Ok(()),
+    }
+}
+
+/// What a file is: a session and a model say so in their first line, anything else is taken for a corpus.
+pub fn kind(name: &str, text: &str) -> Kind {
+    if text.trim_start().starts_with("{\"groundling-session\"") {
+        return Kind::Session;
+    }
+    let first = text.trim_start_matches('\u{feff}').lines().next().unwrap_or_default();
+    let named = name.rsplit_once('.').is_some_and(|(_, end)| end.eq_ignore_ascii_case("model"));
+    if named || first.starts_with("groundling") { Kind::Model } else { Kind::Corpus }
+}
+
+/// A file's bytes as text.
+///
+/// # Errors
+/// When they are not UTF-8.
+pub fn decode(bytes: Vec<u8>) -> Result<String, Fault> {
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Fault::NotText(1 + error.as_bytes().iter().take(at).filter(|b| **b == b'\n').count())
+    })
+}

@@ -1,0 +1,91 @@
+//! German words: gender and case of nouns, endings of adjectives.
+
+use crate::domain::Direction;
+
+/// The gender of a noun.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Gender {
+    Masculine,
+    Feminine,
+    Neuter,
+}
+
+/// The cases that the page needs.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Case {
+    Nominative,
+    Dative,
+}
+
+use Case::{Dative, Nominative};
+use Gender::{Feminine, Masculine, Neuter};
+
+pub(super) const fn article(gender: Gender, case: Case) -> &'static str {
+    match (gender, case) {
+        (Masculine, Nominative) => "der",
+        (Feminine, Nominative) => "die",
+        (Neuter, Nominative) => "das",
+        (Feminine, Dative) => "der",
+        (_, Dative) => "dem",
+    }
+}
+
+pub(super) fn definite(adjectives: &[&str], word: &str, gender: Gender, case: Case) -> String {
+    let ending = if case == Dative { "en" } else { "e" };
+    let adjectives = adjectives.iter().map(|stem| format!("{stem}{ending} ")).collect::<String>();
+    format!("{} {adjectives}{word}", article(gender, case))
+}
+
+pub(super) fn indefinite(adjectives: &[&str], word: &str, gender: Gender, case: Case) -> String {
+    let (article, ending) = match (gender, case) {
+        (Masculine, Nominative) => ("ein", "er"),
+        (Neuter, Nominative) => ("ein", "es"),
+        (Feminine, Nominative) => ("eine", "e"),
+        (Feminine, Dative) => ("einer", "en"),
+        (_, Dative) => ("einem", "en"),
+    };
+    let adjectives = adjectives.iter().map(|stem| format!("{stem}{ending} ")).collect::<String>();
+    format!("{article} {adjectives}{word}")
+}
+
+/// A class or a shape with its gender.
+pub(super) fn property(name: &str) -> (&'static str, Gender) {
+    match name {
+        "agent" => ("Roboter", Masculine),
+        "room" => ("Raum", Masculine),
+        "door" => ("Tür", Feminine),
+        "object" => ("Gegenstand", Masculine),
+        "chair" => ("Stuhl", Masculine),
+        "basket" => ("Korb", Masculine),
+        "block" => ("Block", Masculine),
+        "bag" => ("Beutel", Masculine),
+        "backpack" => ("Rucksack", Masculine),
+        "box" => ("Kiste", Feminine),
+        _ => ("Ding", Neuter),
+    }
+}
+
+/// A colour's stem, which takes endings.
+pub(super) fn adjective(name: &str) -> &'static str {
+    match name {
+        "red" => "rot",
+        "green" => "grün",
+        "blue" => "blau",
+        "yellow" => "gelb",
+        "magenta" => "magentafarben",
+        "brown" => "braun",
+        "orange" => "orangefarben",
+        "tan" => "hellbraun",
+        "teal" => "blaugrün",
+        other => property(other).0,
+    }
+}
+
+pub(super) const fn compass(direction: Direction) -> &'static str {
+    match direction {
+        Direction::North => "Norden",
+        Direction::South => "Süden",
+        Direction::East => "Osten",
+        Direction::West => "Westen",
+    }
+}

@@ -1,0 +1,19 @@
+//! What all pages share and are lent as [`shared::Shared`]: the document and its history, the engines, the model,
+//! files, the language with its grammar, and what is wanted of the browser. It knows no page.
+
+pub mod place;
+pub mod language;
+pub mod grammar;
+pub mod preferences;
+pub mod world;
+pub mod document;
+pub mod history;
+pub mod files;
+pub mod effect;
+pub mod engine;
+pub mod words;
+pub mod shared;
+pub mod model;
+pub mod engines;
+#[cfg(target_arch = "wasm32")]
+pub mod view;

@@ -1,0 +1,11 @@
+//! What the views of all pages are made of; wasm only. Views are functions of the state that send actions; only what
+//! has something of its own to remember (a canvas, what is folded open) is a component, since each costs what every
+//! visitor loads.
+
+pub mod host;
+pub mod files;
+pub mod sign;
+pub mod select;
+pub mod notice;
+pub mod sketch;
+pub mod picture;

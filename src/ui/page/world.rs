@@ -1,0 +1,46 @@
+//! The worlds that the page offers.
+
+use crate::domain::{Agent, Direction, State};
+
+/// A world to choose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Choice {
+    /// Its key in the page's texts.
+    pub name: Name,
+    /// Its state as JSON.
+    pub json: &'static str,
+}
+
+/// What a world is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Name {
+    ThreeRooms,
+    Hall,
+    Store,
+    Locked,
+}
+
+/// The worlds that the page offers, the first one open at the start.
+pub const WORLDS: [Choice; 4] = [
+    Choice {
+        name: Name::ThreeRooms,
+        json: include_str!("../../../assets/worlds/three-rooms.json"),
+    },
+    Choice { name: Name::Hall, json: include_str!("../../../assets/worlds/hall.json") },
+    Choice { name: Name::Store, json: include_str!("../../../assets/worlds/store.json") },
+    Choice { name: Name::Locked, json: include_str!("../../../assets/worlds/locked.json") },
+];
+
+impl Choice {
+    /// The world in the state it begins in. They are known to be legal, by a test.
+    pub fn open(&self) -> Option<State> {
+        serde_json::from_str(self.json).ok()
+    }
+}
+
+/// An empty plane with the robot in it, for a page that has no world.
+pub fn empty() -> State {
+    let agent = Agent { x: 0, y: 0, direction: Direction::North };
+    State { agent, rooms: Vec::new(), doors: Vec::new(), objects: Vec::new() }
+}

@@ -1,0 +1,73 @@
+//! What the engine answered: while a command is typed, when it was sent, and for another reading.
+
+use super::study;
+use crate::domain::State as World;
+use crate::ui::page::document::Said;
+use crate::ui::page::shared::Shared;
+use crate::ui::talk::state::State;
+use crate::ui::talk::watch::playback::Playback;
+use crate::ui::talk::watch::values;
+use crate::ui::talk::why::messages::messages;
+use crate::ui::talk::words::Text;
+use crate::worker::protocol::{Answer, PlanText};
+use std::rc::Rc;
+
+/// What was typed has been read; it may have been sent meanwhile.
+pub(crate) fn was_read(state: &mut State, shared: &Shared, answer: Answer) {
+    let said = shared.document.said.as_ref();
+    let is_said = said.is_some_and(|said| said.answer.command == answer.command);
+    if answer.command == state.command.input && !is_said {
+        state.command.live = Some(Rc::new(answer));
+        state.command.link = None;
+    }
+}
+
+/// A command has been answered that was said in this world.
+pub(crate) fn answered(state: &mut State, shared: &mut Shared, mut answer: Answer, world: World) {
+    state.settle(shared);
+    let plan = answer.plan.take().map(Rc::new);
+    shared.record();
+    state.command.forget();
+    let answer = Rc::new(answer);
+    shared.document.said = Some(Said { world: Rc::new(world), answer, chosen: 0, plan });
+    planned(state, shared);
+    study::look_closer(state, shared);
+}
+
+/// There is a plan for another reading.
+pub(crate) fn replanned(state: &mut State, shared: &mut Shared, plan: PlanText) {
+    if let Some(said) = &mut shared.document.said {
+        said.plan = Some(Rc::new(plan));
+        planned(state, shared);
+    }
+}
+
+/// Plays the plan that has come, or says why there is none.
+fn planned(state: &mut State, shared: &mut Shared) {
+    play(state, shared);
+    values::look(state, shared);
+    let text = Text::of(shared.language);
+    let messages = messages(state, shared);
+    let words = match (messages.first(), &state.watch.playback, shared.document.reading()) {
+        (Some(message), ..) => format!("{} {}", message.what, message.fix),
+        (None, Some(plan), Some(reading)) => {
+            format!("{} {}", text.understood(&reading.claim), (text.has_steps)(plan.steps()))
+        }
+        (None, _, Some(reading)) => text.understood(&reading.claim),
+        (None, ..) => String::new(),
+    };
+    shared.say(words);
+}
+
+/// Begins to play the plan of the reading that is chosen, if there is one; the world goes on from its end.
+fn play(state: &mut State, shared: &mut Shared) {
+    let plan = shared.document.plan();
+    let work = plan.and_then(|plan| plan.work.clone());
+    let playback = plan.and_then(|plan| Playback::begin(plan));
+    state.watch.end(work, shared.clock);
+    state.watch.playback = playback;
+    if let Some(last) = state.watch.playback.as_ref().and_then(Playback::last) {
+        shared.document.world = last.clone();
+        shared.want(state.watch.tick());
+    }
+}

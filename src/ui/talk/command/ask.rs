@@ -1,0 +1,98 @@
+//! Asking: a command is read while it is typed, sent to be answered, and may be meant in another way.
+
+use super::state::MOST_CHARACTERS;
+use crate::domain::State as World;
+use crate::ui::page::engine::Health;
+use crate::ui::page::shared::Shared;
+use crate::ui::talk::room::state::Mode;
+use crate::ui::talk::state::State;
+use crate::worker::protocol::{Request, WorldRules};
+
+/// Whether a command is being answered, or planned for.
+pub fn is_asking(shared: &Shared) -> bool {
+    shared.talker.is_at(|r| matches!(r, Request::Ask { .. } | Request::Plan { .. }))
+}
+
+/// Another command stands in the box.
+pub(crate) fn typed(state: &mut State, shared: &mut Shared, command: &str) {
+    state.command.input = command.chars().take(MOST_CHARACTERS).collect();
+    read(state, shared);
+}
+
+/// Reads what stands in the box, without planning: what is typed is understood at once.
+pub(crate) fn read(state: &mut State, shared: &mut Shared) {
+    let is_read = |request: &Request| matches!(request, Request::Read { .. });
+    shared.talker.retain(|request| !is_read(request));
+    let command = state.command.input.clone();
+    let said = shared.document.said.as_ref();
+    if command.trim().is_empty() || said.is_some_and(|said| said.answer.command == command) {
+        state.command.live = None;
+    } else if shared.document.model.is_some() && shared.talker.health == Health::Ready {
+        let world = state.shown(shared).clone();
+        shared.send(Request::Read { command, state: world }, true);
+    }
+}
+
+/// Sends a command in place of what stands in the box.
+pub(crate) fn ask_for(state: &mut State, shared: &mut Shared, command: String) {
+    state.command.input = command;
+    ask(state, shared);
+}
+
+/// Sends the command in the box.
+pub(crate) fn ask(state: &mut State, shared: &mut Shared) {
+    if !shared.can_ask() {
+        return;
+    }
+    state.settle(shared);
+    state.room.mode = Mode::Watch;
+    state.command.forget();
+    let command = state.command.input.clone();
+    request(state, shared, |world, rules| Request::Ask { command, state: world, rules });
+}
+
+/// Means the last command in another of its ways.
+pub(crate) fn choose(state: &mut State, shared: &mut Shared, reading: usize) {
+    let Some(said) = &shared.document.said else { return };
+    if said.chosen == reading && said.plan.is_some() || said.answer.readings.get(reading).is_none()
+    {
+        return;
+    }
+    state.settle(shared);
+    shared.record();
+    if let Some(said) = &mut shared.document.said {
+        said.chosen = reading;
+        said.plan = None;
+    }
+    (state.command.node, state.command.preview, state.command.link) = (None, None, None);
+    plan_again(state, shared);
+}
+
+/// Other rules hold in the world.
+pub(crate) fn set_rules(state: &mut State, shared: &mut Shared, rules: WorldRules) {
+    shared.record();
+    shared.document.rules = rules;
+    plan_again(state, shared);
+}
+
+/// Plans anew for the reading that is chosen, from the world that the command was said in.
+fn plan_again(state: &mut State, shared: &mut Shared) {
+    state.watch.playback = None;
+    let Some(said) = &shared.document.said else { return };
+    let Some(reading) = said.answer.readings.get(said.chosen) else { return };
+    let form = reading.form.clone();
+    shared.document.world = (*said.world).clone();
+    request(state, shared, |world, rules| Request::Plan { form, state: world, rules });
+}
+
+fn request(
+    state: &mut State,
+    shared: &mut Shared,
+    make: impl FnOnce(World, WorldRules) -> Request,
+) {
+    // What waits is about the plan before.
+    shared.talker.retain(|request| matches!(request, Request::OpenModel { .. }));
+    state.watch.begin(shared.clock);
+    let request = make(shared.document.world.clone(), shared.document.rules);
+    shared.send(request, true);
+}

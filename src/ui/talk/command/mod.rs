@@ -1,0 +1,7 @@
+//! What is said to the robot: the command box, what a command is taken to mean, and what came of it.
+
+pub mod link;
+pub mod state;
+pub mod ask;
+pub mod study;
+pub mod answer;

@@ -1,0 +1,47 @@
+//! What is said: what stands in the command box, what it would mean, and what is looked at of it.
+
+use super::link::Link;
+use crate::worker::protocol::{Answer, Study};
+use std::rc::Rc;
+
+/// Commands to try; what they name is in the first world.
+pub const EXAMPLES: [&str; 4] = [
+    "go to the blue room",
+    "put the yellow block in the biggest room",
+    "take the block to the green room",
+    "walk next to the block",
+];
+
+/// Characters that a command may have; the engine says so of those with too many words.
+pub const MOST_CHARACTERS: usize = 1_000;
+
+/// What is said, and about it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Command {
+    /// What stands in the command box.
+    pub input: String,
+    /// What it would mean, while it is typed.
+    pub live: Option<Rc<Answer>>,
+    /// Why the last command was not answered at all.
+    pub notice: Option<String>,
+    /// The words that are pointed at.
+    pub link: Option<Link>,
+    /// The reading whose goal cells are to be seen.
+    pub preview: Option<usize>,
+    /// What the readings' scores are made of, and how their meanings came about.
+    pub studies: Option<Rc<Vec<Study>>>,
+    /// Whether all readings are shown, or the first few.
+    pub all_readings: bool,
+    /// The constituent that is studied.
+    pub node: Option<usize>,
+    /// How many steps of its reduction are shown.
+    pub steps: usize,
+}
+
+impl Command {
+    /// Only what stands in the box is kept: all else is of another command now.
+    pub(crate) fn forget(&mut self) {
+        let Command { input, .. } = std::mem::take(self);
+        self.input = input;
+    }
+}

@@ -1,0 +1,144 @@
+//! What is shown and said becomes a lesson. The model is always the one before any lesson, taught all of them in
+//! their order: the same lessons give the same model, whichever way one came to them.
+
+use super::state::{Missing, Teach};
+use crate::ui::page::document::{Draft, Model, Taught};
+use crate::ui::page::effect::Effect;
+use crate::ui::page::model;
+use crate::ui::page::shared::Shared;
+use crate::ui::talk::command::state::MOST_CHARACTERS;
+use crate::ui::talk::room::state::Mode;
+use crate::ui::talk::state::State;
+use crate::ui::talk::words::Text;
+use crate::worker::protocol::{Lesson, Request, TeachReport};
+use serde::Serialize;
+use std::rc::Rc;
+
+/// Whether it is being taught.
+pub fn is_teaching(shared: &Shared) -> bool {
+    shared.learner.is_at(|request| matches!(request, Request::Teach { .. }))
+}
+
+/// The words of the lesson are these now.
+pub(crate) fn typed(state: &mut State, words: &str) {
+    state.teach.words = words.chars().take(MOST_CHARACTERS).collect();
+    state.teach.missing = None;
+}
+
+/// Begins the demonstration anew.
+pub(crate) fn clear_draft(state: &State, shared: &mut Shared) {
+    if shared.document.draft.as_ref().is_some_and(Draft::shows) {
+        shared.record();
+        shared.document.draft = None;
+        let phrases = Text::of(shared.language).phrases;
+        shared.say(phrases.robot(state.shown(shared)));
+    }
+}
+
+/// Teaches what is shown and said, or says what is missing.
+pub(crate) fn teach(state: &mut State, shared: &mut Shared) {
+    let draft = shared.document.draft.as_ref().filter(|draft| draft.shows());
+    state.teach.missing = match draft {
+        None => Some(Missing::Demonstration),
+        Some(_) if state.teach.words.trim().is_empty() => Some(Missing::Words),
+        Some(_) => None,
+    };
+    if let Some(missing) = state.teach.missing {
+        return shared.say(Text::of(shared.language).missing(missing));
+    }
+    let Some(draft) = draft else { return };
+    let mut all = shared.document.taught();
+    all.push(draft.lesson(state.teach.words.trim().to_owned()));
+    learn(state, shared, all);
+}
+
+/// Forgets the lesson at a place.
+pub(crate) fn unteach(state: &mut State, shared: &mut Shared, place: usize) {
+    let mut lessons = shared.document.taught();
+    if place < lessons.len() {
+        lessons.remove(place);
+        learn(state, shared, lessons);
+    }
+}
+
+/// Teaches what was taught before again, to another model.
+pub(crate) fn learn_again(state: &mut State, shared: &mut Shared) {
+    let lessons = shared.document.taught();
+    learn(state, shared, lessons);
+}
+
+/// Teaches the model before any lesson exactly these.
+pub(crate) fn learn(state: &mut State, shared: &mut Shared, lessons: Vec<Lesson>) {
+    let Some(base) = &shared.document.base else { return };
+    (state.teach.notice, state.teach.report) = (None, None);
+    if lessons.is_empty() {
+        let base = base.clone();
+        shared.record();
+        shared.document.lessons = Rc::new(Vec::new());
+        return model::go_on_with(shared, base);
+    }
+    let model = base.report.model.clone();
+    shared.learner.retain(|request| !matches!(request, Request::Teach { .. }));
+    shared.send(Request::Teach { model, examples: lessons }, true);
+}
+
+/// The model was taught.
+pub(crate) fn taught(
+    state: &mut State,
+    shared: &mut Shared,
+    lessons: Vec<Lesson>,
+    report: TeachReport,
+) {
+    let Some(base) = &shared.document.base else { return };
+    let is_new = lessons.len() > shared.document.lessons.len();
+    let understood = report.understood.last().copied().unwrap_or(false);
+    let last = lessons.last().map(|lesson| lesson.command.clone()).unwrap_or_default();
+    let text = Text::of(shared.language);
+    if is_new && !understood {
+        let words = (text.not_learned)(&last);
+        shared.say(words.clone());
+        state.teach.notice = Some(words);
+        return;
+    }
+    let model = Model { report: Rc::new(report.model.clone()), origin: base.origin.clone() };
+    shared.record();
+    let all =
+        lessons.into_iter().zip(report.understood.iter().copied().chain(std::iter::repeat(false)));
+    let all = all.map(|(lesson, understood)| Taught { lesson, understood });
+    shared.document.lessons = Rc::new(all.collect());
+    if is_new && state.resume.command.is_none() {
+        // The world is as it was before the demonstration: the command can be tried at once.
+        shared.document.draft = None;
+        state.room.mode = Mode::Watch;
+        state.command.input.clone_from(&last);
+        state.teach =
+            Teach { report: Some(Rc::new(report)), taught: Some(last), ..Teach::default() };
+        shared.say(text.learned);
+    }
+    model::go_on_with(shared, model);
+}
+
+/// Teaching was refused, for a reason: the person can mend the lesson.
+pub(crate) fn refused(state: &mut State, message: String) {
+    state.teach.notice = Some(message);
+    state.room.mode = Mode::Teach;
+}
+
+/// A row of a corpus in JSON lines.
+#[derive(Serialize)]
+struct Row<'a> {
+    id: String,
+    #[serde(flatten)]
+    lesson: &'a Lesson,
+}
+
+/// Saves the lessons as a corpus, which the page and the command line open.
+pub(crate) fn save(shared: &mut Shared) {
+    let row = |(place, taught): (usize, &Taught)| {
+        let row = Row { id: format!("taught-{}", place + 1), lesson: &taught.lesson };
+        // Strings and numbers only: JSON can hold them all.
+        serde_json::to_string(&row).map(|row| row + "\n").unwrap_or_default()
+    };
+    let text = shared.document.lessons.iter().enumerate().map(row).collect();
+    shared.want(Effect::Save { name: "taught.jsonl".to_owned(), text });
+}

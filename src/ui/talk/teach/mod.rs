@@ -1,0 +1,4 @@
+//! Teaching: what is shown and said becomes a lesson.
+
+pub mod state;
+pub mod learn;

@@ -1,0 +1,21 @@
+//! The Talk page as Yew draws it; wasm only.
+
+mod share;
+mod command;
+mod answer;
+mod room;
+mod stage;
+mod canvas;
+mod cells;
+mod controls;
+mod edit;
+mod teach;
+mod readings;
+mod planner;
+mod chart;
+mod rules;
+mod study;
+mod proof;
+mod whole;
+
+pub(crate) use whole::talk;

@@ -1,0 +1,104 @@
+//! Teaching: what is shown and said, what it added, and the list of what was taught.
+
+use crate::ui::page::document::Draft;
+use crate::ui::page::shared::Shared;
+use crate::ui::page::view::notice::notice;
+use crate::ui::talk::action::Action;
+use crate::ui::talk::state::State;
+use crate::ui::talk::teach::learn::is_teaching;
+use crate::ui::talk::words::Text;
+use web_sys::{HtmlInputElement, SubmitEvent};
+use yew::{Callback, Html, InputEvent, TargetCast, html};
+
+/// The lesson in preparation.
+pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
+    let teach = &state.teach;
+    let shows = shared.document.draft.as_ref().is_some_and(Draft::shows);
+    let busy = is_teaching(shared);
+    let send = act.reform(|event: SubmitEvent| {
+        event.prevent_default();
+        Action::Teach
+    });
+    let typed = act.reform(|event: InputEvent| {
+        let input = event.target_dyn_into::<HtmlInputElement>();
+        Action::TypedLesson(input.map(|i| i.value()).unwrap_or_default())
+    });
+    html! {
+        <div class="lesson">
+            <ol class="steps">
+                <li class={shows.then_some("done")}>
+                    { text.show_it }
+                    {" "}<button type="button" class="link" disabled={!shows} data-testid="clear-draft"
+                        onclick={act.reform(|_| Action::ClearDraft)}>{ text.show_again }</button>
+                </li>
+                <li>
+                    <label for="lesson">{ text.say_it }</label>
+                    <form class="say" onsubmit={send}>
+                        <input id="lesson" type="text" lang="en" autocomplete="off" autocapitalize="off"
+                            spellcheck="false" data-testid="lesson" value={teach.words.clone()} oninput={typed} />
+                        <button type="submit" class="primary" data-testid="teach" disabled={shared.document.base.is_none() || busy}>
+                            { if busy { text.learning } else { text.teach } }
+                        </button>
+                    </form>
+                </li>
+            </ol>
+            if let Some(missing) = teach.missing {
+                <p class="notice" role="alert" data-testid="missing">{ text.missing(missing) }</p>
+            }
+            { notice(teach.notice.as_deref(), "teach-notice") }
+        </div>
+    }
+}
+
+/// What was taught, and what the last lesson added to the lexicon.
+pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
+    let (lessons, teach) = (&shared.document.lessons, &state.teach);
+    if lessons.is_empty() {
+        return Html::default();
+    }
+    let added = teach.report.as_ref().map_or(&[][..], |report| &report.added);
+    html! {
+        <section class="card" aria-labelledby="lessons-title" data-testid="lessons">
+            <div class="card-head">
+                <h2 id="lessons-title">{ text.lessons }</h2>
+                <button type="button" class="quiet" data-testid="save-lessons"
+                    onclick={act.reform(|_| Action::SaveLessons)}>{ text.save_lessons }</button>
+            </div>
+            <ul class="lessons">
+                { for lessons.iter().enumerate().map(|(place, taught)| {
+                    let command = taught.lesson.command.clone();
+                    html! {
+                        <li>
+                            <button type="button" class="link" lang="en" data-testid="lesson-try"
+                                onclick={act.reform(move |_| Action::AskExample(command.clone()))}>
+                                { &taught.lesson.command }
+                            </button>
+                            if !taught.understood { <span class="dim">{ text.not_understood }</span> }
+                            <button type="button" class="link" data-testid="unteach"
+                                aria-label={(text.forget_lesson)(&taught.lesson.command)}
+                                onclick={act.reform(move |_| Action::Unteach(place))}>{ text.forget }</button>
+                        </li>
+                    }
+                }) }
+            </ul>
+            if let Some(command) = &teach.taught {
+                <p class="dim" data-testid="learned">{ (text.it_learned)(command, added.len()) }</p>
+                if !added.is_empty() {
+                    <div class="scroll" tabindex="0" role="group" aria-label={text.entries}>
+                        <table class="entries">
+                            <thead><tr><th>{ text.words }</th><th>{ text.category }</th><th>{ text.meaning }</th></tr></thead>
+                            <tbody>
+                                { for added.iter().map(|entry| html! {
+                                    <tr data-testid="added"><td lang="en">{ &entry.words }</td>
+                                        <td><code>{ &entry.syntax }</code></td><td><code>{ &entry.meaning }</code></td></tr>
+                                }) }
+                            </tbody>
+                        </table>
+                    </div>
+                }
+            }
+        </section>
+    }
+}

@@ -1,0 +1,42 @@
+//! The whole Talk page, as deep as the person wants to look.
+
+use super::answer::answer;
+use super::command::command;
+use super::planner::planner;
+use super::readings::readings;
+use super::room::room;
+use super::rules::rules;
+use super::share::sharing;
+use super::study::study;
+use super::teach::lessons;
+use crate::ui::page::preferences::Depth;
+use crate::ui::page::shared::Shared;
+use crate::ui::talk::action::Action;
+use crate::ui::talk::room::state::Mode;
+use crate::ui::talk::state::State;
+use crate::ui::talk::words::Text;
+use yew::{Callback, Html, html};
+
+/// The view in which one talks to the robot, as deep as the person wants to look.
+pub(crate) fn talk(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    let watched = shared.depth >= Depth::See && state.room.mode == Mode::Watch;
+    html! {
+        <main class="columns talk" data-depth={format!("{:?}", shared.depth).to_ascii_lowercase()}>
+            { sharing(state, shared, act) }
+            <section class="card command" aria-label={Text::of(shared.language).tell}>
+                { command(state, shared, act) }
+                { answer(state, shared, act) }
+            </section>
+            { room(state, shared, act) }
+            <div class="column side">
+                { lessons(state, shared, act) }
+                if watched {
+                    { readings(state, shared, act) }
+                    { planner(state, shared, act) }
+                    { rules(shared, act) }
+                }
+            </div>
+            if shared.depth == Depth::Study { { study(state, shared, act) } }
+        </main>
+    }
+}

@@ -1,0 +1,29 @@
+//! What the page can do about a command that came to nothing, at the press of a button.
+
+use crate::ui::talk::command::link::Link;
+use crate::ui::talk::room::edit::Look;
+
+/// What the page can do about a message.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Help {
+    /// Says a word in place of others, and asks again: the places of the words, and what to say.
+    Say(Link, String),
+    /// Shows what the command means.
+    Teach,
+    /// Points at words, and at what is in question in the room.
+    Show(Link),
+    /// Puts a thing into the room, and asks again.
+    Add(Look),
+    /// Changes the room.
+    Edit,
+    /// Lets the robot move what the command does not name, and asks again.
+    FreeLandmarks,
+    /// Lets the robot pull, and asks again.
+    Pull,
+    /// Opens all doors, and asks again.
+    Unlock,
+    /// Leaves nothing to chance, and asks again.
+    NoChance,
+    /// Goes to another random world.
+    OtherWorld,
+}

@@ -1,0 +1,209 @@
+//! Why a command came to nothing, or to less than it might: what is wrong, what to do about it, and what the page can
+//! do at the press of a button.
+
+use super::help::Help;
+use crate::domain::{Color, Lock, Shape};
+use crate::ui::page::document::Said;
+use crate::ui::page::shared::Shared;
+use crate::ui::talk::command::link::{self, Link};
+use crate::ui::talk::room::edit::Look;
+use crate::ui::talk::state::State;
+use crate::ui::talk::words::Text;
+use crate::worker::protocol::{
+    Answer, Article, Fate, Noun, Phrase, PlanText, Reading, Referent, Refers,
+};
+
+/// Help that is offered at most so often for one phrase.
+const MOST_HELPS: usize = 4;
+
+/// One thing that is wrong, or worth knowing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Message {
+    /// Its kind: names the message in tests and styles.
+    pub kind: &'static str,
+    /// What is wrong.
+    pub what: String,
+    /// What to do about it.
+    pub fix: String,
+    /// The words that it is about.
+    pub link: Option<Link>,
+    /// What the page can do.
+    pub helps: Vec<Help>,
+}
+
+/// Everything worth telling about the answer that is shown, in the order in which the command went wrong; empty when
+/// it was understood and there is a plan to play.
+pub fn messages(state: &State, shared: &Shared) -> Vec<Message> {
+    let Some(answer) = state.heard(shared) else { return Vec::new() };
+    let text = Text::of(shared.language);
+    let mut messages = Vec::new();
+    messages.extend(parsing(text, answer));
+    messages.extend(left_out(text, answer));
+    let reading = state.heard_reading(shared);
+    if let Some(reading) = reading {
+        let failing =
+            reading.phrases.iter().filter(|p| !matches!(p.refers, Refers::One | Refers::Inner));
+        messages.extend(failing.map(|phrase| reference(text, phrase)));
+    }
+    // What is typed has no plan yet.
+    if state.command.live.is_none()
+        && let Some(Said { plan: Some(plan), .. }) = &shared.document.said
+    {
+        let refers = messages.iter().all(|message| message.kind != "no_referent");
+        messages.extend(planning(state, shared, plan, reading, refers));
+    }
+    messages
+}
+
+fn message(
+    kind: &'static str,
+    (what, fix): (impl Into<String>, &str),
+    link: Option<Link>,
+    helps: Vec<Help>,
+) -> Message {
+    Message { kind, what: what.into(), fix: fix.to_owned(), link, helps }
+}
+
+fn parsing(text: &Text, answer: &Answer) -> Option<Message> {
+    let unknown: Vec<&str> = with_fate(answer, Fate::Unknown).map(|(_, word)| word).collect();
+    let why = &text.why;
+    Some(match answer.reason.as_deref()? {
+        "empty" => message("empty", why.empty, None, Vec::new()),
+        "too_long" => message("too_long", why.too_long, None, Vec::new()),
+        "unknown_words" => {
+            let what = (why.unknown_words.0)(&unknown);
+            message("unknown_words", (what, why.unknown_words.1), None, spellings(answer, true))
+        }
+        "no_parse" => message("no_parse", why.no_parse, None, vec![Help::Teach]),
+        "tie" => {
+            let what = (why.tie.0)(answer.readings.len());
+            message("tie", (what, why.tie.1), None, Vec::new())
+        }
+        "budget" => message("budget", why.budget, None, Vec::new()),
+        _ => message("other", why.no_parse, None, vec![Help::Teach]),
+    })
+}
+
+/// Words that were left out so that the rest could be understood: never seen ones first.
+fn left_out(text: &Text, answer: &Answer) -> Vec<Message> {
+    if answer.readings.is_empty() {
+        return Vec::new();
+    }
+    let why = &text.why;
+    let told = |fate, kind, (what, fix): (fn(&[&str]) -> String, &str), helps| {
+        let words: Vec<&str> = with_fate(answer, fate).map(|(_, word)| word).collect();
+        let first = with_fate(answer, fate).next().map(|(place, _)| (place, place + 1));
+        (!words.is_empty()).then(|| message(kind, (what(&words), fix), first, helps))
+    };
+    let unknown =
+        told(Fate::Unknown, "unknown_words", why.unknown_left_out, spellings(answer, true));
+    let known = told(Fate::Skipped, "skipped", why.skipped, vec![Help::Teach]);
+    unknown.into_iter().chain(known).collect()
+}
+
+fn with_fate(answer: &Answer, fate: Fate) -> impl Iterator<Item = (usize, &str)> {
+    let words = answer.words.iter().enumerate().filter(move |(_, word)| word.fate == fate);
+    words.map(|(place, word)| (place, &*word.text))
+}
+
+/// Known words in place of unknown ones; teaching, too.
+fn spellings(answer: &Answer, teach: bool) -> Vec<Help> {
+    let words = answer.words.iter().enumerate().filter(|(_, word)| word.fate == Fate::Unknown);
+    let near = words.flat_map(|(place, word)| {
+        word.near.iter().map(move |near| Help::Say((place, place + 1), near.clone()))
+    });
+    near.take(MOST_HELPS).chain(teach.then_some(Help::Teach)).collect()
+}
+
+/// A phrase that does not refer, with what would.
+fn reference(text: &Text, phrase: &Phrase) -> Message {
+    let own = link::span(phrase);
+    let mut helps: Vec<Help> = own.map(Help::Show).into_iter().collect();
+    match phrase.refers {
+        Refers::Several | Refers::Tie => helps.extend(own.into_iter().flat_map(|own| {
+            let names = phrase.referents.iter().filter_map(|r| distinct(r, &phrase.referents));
+            names.take(MOST_HELPS).map(move |name| Help::Say(own, name))
+        })),
+        Refers::None => helps = look(phrase).map(Help::Add).into_iter().collect(),
+        _ => {}
+    }
+    helps.push(Help::Edit);
+    let what = text.phrases.failure(phrase);
+    message("no_referent", (what, text.why.no_referent), own, helps)
+}
+
+/// A name in the parser's English that fits this thing and none of the others.
+fn distinct(referent: &Referent, all: &[Referent]) -> Option<String> {
+    let name = |r: &Referent| {
+        let noun: &str = match r.shape {
+            Some(shape) => shape.name(),
+            None => &r.class,
+        };
+        Some(format!("the {} {noun}", r.color?.name()))
+    };
+    let own = name(referent)?;
+    (all.iter().filter(|r| name(r).as_ref() == Some(&own)).count() == 1).then_some(own)
+}
+
+/// How an object would look that a phrase without a referent describes, if it says no more than that.
+fn look(phrase: &Phrase) -> Option<Look> {
+    let Noun::Described(described) = &phrase.noun else { return None };
+    if described.article != Article::The || !described.claims.is_empty() {
+        return None;
+    }
+    let known = |property: &String| {
+        property.parse::<Color>().is_ok()
+            || property.parse::<Shape>().is_ok()
+            || property == "object"
+    };
+    if !described.properties.iter().all(known) {
+        return None;
+    }
+    let shape = described.properties.iter().find_map(|p| p.parse().ok());
+    let color = described.properties.iter().find_map(|p| p.parse().ok());
+    shape.is_some().then(|| Look {
+        shape: shape.unwrap_or(Shape::Block),
+        color: color.unwrap_or(Color::Yellow),
+        size: None,
+    })
+}
+
+fn planning(
+    state: &State,
+    shared: &Shared,
+    plan: &PlanText,
+    reading: Option<&Reading>,
+    refers: bool,
+) -> Option<Message> {
+    let why = &Text::of(shared.language).why;
+    let rules = &shared.document.rules;
+    let locked = state.shown(shared).doors.iter().any(|door| door.lock != Lock::Unlocked);
+    let freeing = [
+        (rules.landmarks_stay, Help::FreeLandmarks),
+        (!rules.pull, Help::Pull),
+        (locked, Help::Unlock),
+    ];
+    let freeing =
+        || freeing.iter().filter(|(useful, _)| *useful).map(|(_, help)| help.clone()).collect();
+    Some(match plan.reason.as_deref() {
+        Some("no_referent") if refers => {
+            message("no_referent", (why.no_world, why.no_referent), None, vec![Help::Edit])
+        }
+        Some("no_referent") => return None,
+        Some("unreachable") => message("unreachable", why.unreachable, None, freeing()),
+        Some("budget") if plan.reached => return None,
+        Some("budget") => {
+            let helps = if rules.is_sure() { freeing() } else { vec![Help::NoChance] };
+            message("plan_budget", why.plan_budget, None, helps)
+        }
+        Some(_) => message("bad_goal", why.bad_goal, None, vec![Help::Teach]),
+        None if plan.actions.is_empty() && plan.reached => {
+            let link = reading.and_then(|reading| link::span(reading.phrases.last()?));
+            message("already_true", why.already_true, link, vec![Help::OtherWorld])
+        }
+        None if !plan.reached => {
+            message("not_reached", why.not_reached, None, vec![Help::NoChance])
+        }
+        None => return None,
+    })
+}

@@ -1,0 +1,360 @@
+//! The Talk page in German. Commands stay English: the parser has learned no other.
+
+use super::table::{Faults, Helps, Text};
+use crate::ui::page::grammar::German;
+use crate::ui::talk::room::edit::Obstacle;
+use crate::worker::protocol::Why;
+
+/// The words.
+pub(super) static GERMAN: Text = Text {
+    phrases: &German,
+
+    copy: "Kopieren",
+    close: "Schließen",
+    try_again: "Noch einmal",
+
+    link: "Link",
+    link_copied: "Der Link ist kopiert.",
+    link_made: "Hier ist der Link.",
+    link_help: "Er enthält den Raum, seine Regeln, den Befehl und das Gelehrte. Wer ihn öffnet, bekommt eine Kopie.",
+    bad_link: |why| {
+        format!(
+            "Dieser Link oder diese Datei lässt sich nicht öffnen: {why}. Es hat sich nichts geändert."
+        )
+    },
+    save_as_file: "Als Datei sichern",
+
+    what_to_do: "Was soll der Roboter tun? (auf Englisch)",
+    tell: "Sagen",
+    stop: "Halt",
+    try_this: "Zum Beispiel",
+    getting_ready: "Gleich bereit…",
+    train_one: "Eines trainieren",
+    the_words: "Die Wörter, wie er sie liest",
+    it_means: "Verstanden:",
+    it_would_mean: "Er würde verstehen:",
+    has_steps: |n| {
+        if n == 1 {
+            "Der Plan hat einen Schritt.".to_owned()
+        } else {
+            format!("Der Plan hat {n} Schritte.")
+        }
+    },
+    heard_as: |word| format!("gehört als „{word}“"),
+    fate_empty: "bedeutet allein nichts",
+    fate_skipped: "ausgelassen",
+    fate_unknown: "im Training nie gesehen",
+    planning_stopped: "Angehalten, bevor es einen Plan gab.",
+    why: Faults {
+        empty: (
+            "In diesem Befehl steht kein Wort.",
+            "Schreib, was der Roboter tun soll, etwa “go to the blue room”.",
+        ),
+        too_long: (
+            "Dieser Befehl hat mehr als 50 Wörter; so lange werden nicht gelesen.",
+            "Sag es kürzer oder in mehreren Befehlen.",
+        ),
+        unknown_words: (
+            |words| format!("Nie gesehen: {}.", quoted(words)),
+            "Nimm ein Wort, das er kennt, oder zeig ihm, was du meinst.",
+        ),
+        unknown_left_out: (
+            |words| format!("Nie gesehen und ausgelassen: {}.", quoted(words)),
+            "Sieh nach, ob es noch bedeutet, was du meinst.",
+        ),
+        skipped: (
+            |words| format!("Ausgelassen: {}.", quoted(words)),
+            "Sieh nach, ob es noch bedeutet, was du meinst, oder zeig es.",
+        ),
+        no_parse: (
+            "Er kennt die Wörter, aber sie ergeben zusammen kein Ziel.",
+            "Sag es in anderer Reihenfolge, oder zeig ihm, was du meinst.",
+        ),
+        tie: (
+            |n| format!("Das kann {n} Dinge bedeuten, alle gleich wahrscheinlich."),
+            "Sieh tiefer hinein (Sehen) und wähle eines.",
+        ),
+        budget: ("Dieser Befehl lässt sich auf zu viele Arten lesen.", "Sag es kürzer."),
+        no_referent: "Nenn genau ein Ding, das im Raum ist.",
+        no_world: "Etwas in diesem Befehl benennt nicht genau ein Ding in diesem Raum.",
+        unreachable: (
+            "Verstanden, aber der Roboter kann es nicht bewirken: eine Wand, eine Tür oder ein Ding ist im Weg.",
+            "Etwas muss vielleicht nachgeben:",
+        ),
+        plan_budget: (
+            "Verstanden, aber in der erlaubten Zeit fand sich kein Plan.",
+            "Mach es leichter:",
+        ),
+        bad_goal: (
+            "Das wurde als etwas gelesen, das hier kein Ziel sein kann.",
+            "Sag es anders, oder zeig es.",
+        ),
+        already_true: (
+            "Das ist schon so: Der Roboter hat nichts zu tun.",
+            "Verlange etwas, das noch nicht so ist, oder geh woandershin.",
+        ),
+        not_reached: (
+            "Diesmal kam der Roboter nicht an: Zu viel ging schief.",
+            "Versuch es noch einmal, oder überlass weniger dem Zufall.",
+        ),
+    },
+    help: Helps {
+        say: |phrase| format!("Sag “{phrase}”"),
+        teach: "Zeigen, was gemeint ist",
+        show: "Zeig auf",
+        add: |look| format!("Hinstellen: {look}"),
+        edit: "Den Raum ändern",
+        free_landmarks: "Auch anderes bewegen lassen",
+        pull: "Ziehen lassen",
+        unlock: "Alle Türen öffnen",
+        no_chance: "Nichts dem Zufall überlassen",
+        other_world: "In einen anderen Raum gehen",
+    },
+
+    readings: "Lesarten",
+    best_reading: "die wahrscheinlichste",
+    all_readings: "Alle zeigen",
+    less_likely: |gap, words| match words {
+        [] => format!("{} Punkte weniger", comma(gap, 2)),
+        _ => format!("{} Punkte weniger; anders bei {}", comma(gap, 2), quoted(words)),
+    },
+    where_it_holds: "Wo das Ziel erreicht wäre",
+    phrases_title: "Worum es geht",
+
+    the_room: "Der Raum",
+    choose_world: "Einen Raum wählen",
+    own_world: "Eigener",
+    another_world: "Ein zufälliger Raum",
+    reset: "Wie am Anfang",
+    as_it_began: "Der Raum ist wie am Anfang.",
+    room_is_for: "Was man im Raum tut",
+    room_keys: "Der Raum",
+    modes: [
+        (
+            "Zusehen",
+            "Dem Roboter zusehen.",
+            "Pfeiltasten gehen von Feld zu Feld, Escape verlässt sie.",
+        ),
+        (
+            "Ändern",
+            "Den Raum ändern: ein Werkzeug nehmen und auf ein Feld anwenden.",
+            "Pfeiltasten gehen von Feld zu Feld, Eingabe wendet das Werkzeug an oder nimmt und setzt ab, R dreht den Roboter, Escape lässt los.",
+        ),
+        (
+            "Lehren",
+            "Zeigen, was ein Befehl bedeutet: alles dorthin bewegen, wo es sein soll, dann sagen.",
+            "Pfeiltasten fahren den Roboter. Mit Umschalt gehen sie von Feld zu Feld; Eingabe nimmt und setzt ab, R dreht den Roboter, Escape lässt los.",
+        ),
+    ],
+    worlds: ["Drei Räume", "Flur", "Lager", "Verschlossene Türen"],
+    cell_by_cell: "Feld für Feld",
+    cells_caption: "Der Raum, von der nördlichen Zeile zur südlichen, Felder von Westen.",
+
+    the_plan: "Der Plan",
+    play: "Abspielen",
+    pause: "Anhalten",
+    to_start: "Zum Anfang",
+    step_back: "Schritt zurück",
+    step_forward: "Schritt vor",
+    step_of_plan: "Schritt des Plans",
+    speed: "Tempo",
+    plan_of: |n| {
+        if n == 1 {
+            "Ein Plan mit einem Schritt".to_owned()
+        } else {
+            format!("Ein Plan mit {n} Schritten")
+        }
+    },
+    step_of: |at, n, action| format!("Schritt {at} von {n}: {}", deed(action)),
+    done_in: |n| {
+        if n == 1 {
+            "Fertig in einem Schritt.".to_owned()
+        } else {
+            format!("Fertig in {n} Schritten.")
+        }
+    },
+    surprises: [
+        "Die Tür war verschlossen. Er denkt neu nach.",
+        "Er ist gerutscht: Nichts ist geschehen.",
+        "Was er bewegte, blieb liegen.",
+    ],
+
+    planner: "Wie er plant",
+    layers: "Was im Raum zu sehen ist",
+    layer_names: ["Ziel", "Werte", "Strategie"],
+    value_legend: "Was es wert ist, dort zu stehen",
+    solver: "Verfahren",
+    solvers: [("astar", "A*"), ("vi", "Wertiteration"), ("lrtdp", "LRTDP"), ("uct", "UCT")],
+    why_chosen: "Warum",
+    chosen: |why| match why {
+        Why::Sure => "Nichts bleibt dem Zufall, also wird der kürzeste Plan gesucht.".to_owned(),
+        Why::Small => {
+            "Manches kann schiefgehen, und die Lage ist klein genug, um alles durchzurechnen."
+                .to_owned()
+        }
+        Why::Large(most) => format!(
+            "Manches kann schiefgehen, und es gibt mehr als {most} Lagen; gerechnet wird nur, was eine gute Strategie treffen kann."
+        ),
+        Why::Undecided => {
+            "Die halbe Rechenzeit zeigte keinen Weg; nun wird alles durchgerechnet.".to_owned()
+        }
+        Why::Spent => {
+            "Die Rechenzeit reichte nicht für einen Beweis; nun wird ausprobiert.".to_owned()
+        }
+    },
+    states: "Zustände",
+    took: "Dauer",
+    milliseconds: |seconds| format!("{:.0} ms", seconds * 1000.0),
+    worth: "Wert des Anfangs",
+    replans: "Neu nachgedacht",
+    no_plan_yet: "Es gibt noch keinen Plan: Sag ihm etwas.",
+    try_many: |n| format!("{n}-mal versuchen"),
+    runs: |runs| {
+        let steps =
+            runs.mean_steps.map(|steps| format!(", im Mittel {} Schritte", comma(steps, 1)));
+        let share = f64::from(runs.successes) / f64::from(runs.runs.max(1));
+        format!(
+            "{} von {} Versuchen kamen an: {:.0} % [{:.0}, {:.0}]{}.",
+            runs.successes,
+            runs.runs,
+            100.0 * share,
+            100.0 * runs.interval[0],
+            100.0 * runs.interval[1],
+            steps.unwrap_or_default(),
+        )
+    },
+    chart: "Wie das Verfahren sich annäherte",
+    residual: "Restfehler",
+    bounds: "Schranken für den Wert des Anfangs",
+    steps: "Angesehene Zustände",
+
+    rules: "Was geschehen kann",
+    landmarks_stay: "Nur bewegen, was der Befehl nennt",
+    can_pull: "Der Roboter kann ziehen",
+    drives: "Er fährt: vorwärts, links drehen, rechts drehen",
+    chance: "Zufall",
+    slips: "Eine Aktion bewirkt nichts",
+    locks: "Eine Tür, die niemand probiert hat, ist zu",
+    loses: "Ein Ding bleibt liegen",
+    other_luck: "Noch einmal mit anderem Glück",
+    percent: |p| format!("{:.0} %", p * 100.0),
+
+    tools: "Werkzeuge",
+    tool_names: [
+        ("Bewegen", "Den Roboter oder ein Ding ziehen. Ein Klick auf den Roboter dreht ihn."),
+        ("Ding", "Auf ein freies Feld klicken, um ein Ding hinzustellen."),
+        ("Raum", "Von Ecke zu Ecke ziehen, Wände mitgezählt; ein Klick in einen Raum färbt ihn."),
+        (
+            "Tür",
+            "Auf eine Wand zwischen zwei Böden klicken. Weitere Klicks: unprobiert, verschlossen, weg.",
+        ),
+        ("Löschen", "Auf ein Ding, eine Tür oder den Boden eines Raums klicken."),
+    ],
+    shape: "Form",
+    color: "Farbe",
+    size: "Größe",
+    no_size: "keine",
+    random_world: "Zufällige Räume und Räume als Text",
+    style: "Grundriss",
+    styles: ["Schnitte", "Reihen", "Flur"],
+    rooms: "Räume",
+    columns: "Spalten",
+    rows: "Zeilen",
+    objects: "Dinge",
+    doors: "Türen",
+    lock_names: ["offen", "verschlossen", "unprobiert"],
+    seed: "Startzahl",
+    draw: "Zeichnen",
+    as_text: "Den Raum als Text zeigen",
+    hide_text: "Den Text verbergen",
+    world_as_text: "Der Raum als Text: eine Karte, eine Leerzeile und eine Zeile je Zeichen",
+    open_this: "Diesen Raum öffnen",
+    obstacle: |obstacle| match obstacle {
+        Obstacle::NoFloor => "Dort ist kein Boden.",
+        Obstacle::Taken => "Dort steht schon etwas.",
+        Obstacle::TooManyObjects => "Es kann 8 Dinge geben: erst eines wegnehmen.",
+        Obstacle::TooManyRooms => "Es kann 12 Räume geben: erst einen wegnehmen.",
+        Obstacle::TooSmall => {
+            "Ein Raum hat mindestens ein Feld Boden in seinen Wänden: weiter ziehen."
+        }
+        Obstacle::TooLarge => "Eine Welt hat höchstens 32 Felder je Seite.",
+        Obstacle::Overlap => "Räume dürfen sich Wände teilen, aber keinen Boden.",
+        Obstacle::NoPassage => "Eine Tür braucht eine Wand mit Boden auf zwei Seiten.",
+        Obstacle::Occupied => "Darin steht etwas: erst herausnehmen.",
+        Obstacle::RobotStays => "Der Roboter bleibt.",
+        Obstacle::Nothing => "Hier ist nichts zum Wegnehmen.",
+        Obstacle::Blocked => "Dort kommt der Roboter nicht weiter.",
+    },
+
+    show_it: "Zeigen: den Roboter und Dinge dorthin ziehen, wo sie sein sollen, oder mit den Pfeiltasten fahren.",
+    show_again: "Von vorn",
+    say_it: "Sagen: Wie würde man das dem Roboter auf Englisch auftragen?",
+    teach: "Lehren",
+    learning: "Lernt…",
+    learned: "Gelernt. Mit Sagen ausprobieren.",
+    not_learned: |command| {
+        format!(
+            "„{command}“ war daraus nicht zu lernen: Keine Bedeutung dieser Wörter passt zum Gezeigten. Sag es näher an dem, was geschieht, oder zeig es deutlicher."
+        )
+    },
+    missing: [
+        "Noch ist nichts gezeigt: erst den Roboter oder ein Ding bewegen.",
+        "Noch ist nichts gesagt: den Befehl eintippen.",
+    ],
+    lessons: "Was du gelehrt hast",
+    save_lessons: "Als Korpus sichern",
+    not_understood: " (nicht mehr verstanden)",
+    forget: "Vergessen",
+    forget_lesson: |command| format!("„{command}“ vergessen"),
+    it_learned: |command, n| match n {
+        0 => format!("„{command}“ brauchte keinen neuen Eintrag: Gewichte änderten sich."),
+        1 => format!("„{command}“ fügte seinem Lexikon einen Eintrag hinzu:"),
+        n => format!("„{command}“ fügte seinem Lexikon {n} Einträge hinzu:"),
+    },
+    words: "Wörter",
+    category: "Kategorie",
+    meaning: "Bedeutung",
+
+    derivation: "Wie die Wörter es ergaben",
+    proof_label: "Herleitung. Pfeiltasten gehen von Teil zu Teil.",
+    copy_as_text: "Als Text kopieren",
+    copy_as_svg: "Als SVG kopieren",
+    formula: "Wie Menschen Logik schreiben",
+    form: "Wie der Parser es schreibt",
+    reduction: "Wie der gewählte Teil entstand",
+    all_steps: "Alle Schritte",
+    from_lexicon: "So steht es im Lexikon.",
+    working_out: "Wird ausgerechnet…",
+    score: "Punkte",
+    feature: "Merkmal",
+    times: "Wie oft",
+    weight: "Gewicht",
+    adds: "Ergibt",
+    entries: "Benutzte Einträge",
+    learned_entry: "gelernt",
+    seed_entry: "von Anfang an",
+};
+
+fn quoted(words: &[&str]) -> String {
+    words.iter().map(|word| format!("„{word}“")).collect::<Vec<_>>().join(", ")
+}
+
+/// A number with a decimal comma.
+fn comma(number: f64, digits: usize) -> String {
+    format!("{number:.digits$}").replace('.', ",")
+}
+
+/// An action by its name.
+fn deed(action: &str) -> &str {
+    match action {
+        "north" => "nach Norden",
+        "south" => "nach Süden",
+        "east" => "nach Osten",
+        "west" => "nach Westen",
+        "pull" => "ziehen",
+        "forward" => "vorwärts",
+        "turn_left" => "links drehen",
+        "turn_right" => "rechts drehen",
+        other => other,
+    }
+}

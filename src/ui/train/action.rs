@@ -1,0 +1,34 @@
+//! What a person can do on the Train page, and what the page wants that is not its own to do. Plain data.
+
+use crate::ui::page::files::Offered;
+use crate::worker::protocol::TrainReport;
+
+/// Something that a person did.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// A file was chosen: it may be a corpus, or something else.
+    Offered(Offered),
+    /// Go back to the page's own six sentences.
+    OpenDemo,
+    /// Open or close a row of the corpus.
+    ToggleRow(usize),
+    /// Show more rows of the corpus.
+    MoreRows,
+    /// Save the corpus as a file.
+    SaveCorpus,
+    /// Train on the corpus that is open.
+    Train,
+    /// Stop training.
+    CancelTraining,
+    /// Save the model as a file.
+    SaveModel,
+}
+
+/// What the page wants done elsewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Wish {
+    /// Open a file, whatever it is.
+    Open(Offered),
+    /// Use the model that was trained on the corpus of this name.
+    Use(TrainReport, String),
+}

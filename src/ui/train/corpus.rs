@@ -1,0 +1,57 @@
+//! The corpus that is open on the page: what the engine said of it, its text (sent again to a new engine),
+//! and which of its rows are open.
+
+use crate::worker::protocol::{CorpusReport, PairText};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// The name of the page's own corpus.
+pub const DEMO_NAME: &str = "six.csv";
+
+/// The page's own corpus: six sentences, each with states before and after.
+pub const DEMO: &str = include_str!("../../../assets/corpus/six.csv");
+
+/// Corpora with so few rows are shown with all their pictures at once.
+pub const SMALL: usize = 12;
+
+/// So many rows are shown, and again so many for every "more".
+pub const PAGE: usize = 50;
+
+/// The open corpus.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Corpus {
+    /// What the engine read.
+    pub report: Rc<CorpusReport>,
+    /// The file's text.
+    pub text: Rc<str>,
+    /// The demonstrations of rows that have been asked for.
+    pub pairs: BTreeMap<usize, Rc<Vec<PairText>>>,
+    /// The row whose demonstrations are all shown.
+    pub open: Option<usize>,
+    /// How many rows are shown.
+    pub shown: usize,
+}
+
+impl Corpus {
+    /// A corpus just read, with no row open.
+    pub fn new(report: CorpusReport, text: String) -> Corpus {
+        let shown = report.rows.len().min(PAGE);
+        Corpus {
+            report: Rc::new(report),
+            text: text.into(),
+            pairs: BTreeMap::new(),
+            open: None,
+            shown,
+        }
+    }
+
+    /// Whether this is the page's own corpus.
+    pub fn is_demo(&self) -> bool {
+        *self.text == *DEMO
+    }
+
+    /// Shows more rows.
+    pub fn more(&mut self) {
+        self.shown = (self.shown + PAGE).min(self.report.rows.len());
+    }
+}

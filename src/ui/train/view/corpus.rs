@@ -1,0 +1,71 @@
+//! What it learns from: the commands of the open corpus with their rooms before and after, and another file.
+
+use super::problems::problems;
+use super::row::row;
+use crate::render::Theme;
+use crate::ui::page::shared::Shared;
+use crate::ui::page::view::files::open_file;
+use crate::ui::train::action::Action;
+use crate::ui::train::corpus::Corpus;
+use crate::ui::train::state::State;
+use crate::ui::train::words::Text;
+use yew::{Callback, Html, html};
+
+/// The corpus panel.
+pub(super) fn corpus(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
+    let State { corpus, file_notice: notice, .. } = state;
+    let accept = ".csv,.tsv,.jsonl,.txt";
+    html! {
+        <section class="card corpus" aria-labelledby="corpus-title">
+            <div class="card-head">
+                <h2 id="corpus-title">{ text.corpus }</h2>
+                if let Some(corpus) = corpus {
+                    <span class="tag" data-testid="corpus-name">{ &corpus.report.name }</span>
+                }
+            </div>
+            { open_file("corpus-file", text.open_corpus, accept, Some(text.corpus_hint), &act.reform(Action::Offered)) }
+            if let Some(notice) = notice {
+                <div class="notice bad" role="alert" data-testid="file-notice">
+                    <p><strong>{ &notice.message }</strong></p>
+                    { problems(text, &notice.problems) }
+                </div>
+            }
+            if let Some(corpus) = corpus { { list(text, corpus, shared.preferences.theme, act) } }
+        </section>
+    }
+}
+
+fn list(text: &Text, corpus: &Corpus, theme: Theme, act: &Callback<Action>) -> Html {
+    let report = &corpus.report;
+    let left = report.rows.len().saturating_sub(corpus.shown);
+    html! {
+        <>
+            <p class="dim" data-testid="corpus-count">
+                { (text.commands)(report.rows.len()) }
+                if report.rejected > 0 { { (text.rejected)(report.rejected) } }
+                if !report.problems.is_empty() { { (text.problems)(report.problems.len()) } }
+                {". "}
+                <button type="button" class="link" onclick={act.reform(|_| Action::SaveCorpus)}
+                    data-testid="save-corpus">{ text.save_corpus }</button>
+                if !corpus.is_demo() {
+                    {" "}<button type="button" class="link" onclick={act.reform(|_| Action::OpenDemo)}
+                        data-testid="open-demo">{ text.six_sentences }</button>
+                }
+            </p>
+            if !report.problems.is_empty() {
+                <details class="problems-box" open={report.problems.len() <= 5}>
+                    <summary>{ (text.rows_to_look_at)(report.problems.len()) }</summary>
+                    { problems(text, &report.problems) }
+                </details>
+            }
+            <ol class="rows" data-testid="rows">
+                { for (0..corpus.shown).map(|index| row(text, corpus, index, theme, act)) }
+            </ol>
+            if left > 0 {
+                <button type="button" class="plain" data-testid="more-rows"
+                    onclick={act.reform(|_| Action::MoreRows)}>{ (text.more_rows)(left) }</button>
+            }
+        </>
+    }
+}
