@@ -2,6 +2,7 @@
 //! line, fields parted by tabs; what is read back scores every sentence to the same bit, since order is kept.
 
 use super::combinator::{Grammar, Shift};
+use super::doubt::Doubt;
 use super::features::{Feature, Features};
 use super::general::General;
 use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
@@ -33,6 +34,8 @@ pub struct Model {
     pub signature: Signature,
     /// Settings, seed, corpus: name and value, in order.
     pub facts: IndexMap<String, String>,
+    /// How likely its answers are right; old models have none.
+    pub doubt: Option<Doubt>,
     /// What words that the lexicon does not know may stand for. No part of a model file.
     general: Arc<General>,
 }
@@ -129,6 +132,7 @@ impl Model {
                 lines.push(format!("drift\t{feature}\t{drift}"));
             }
         }
+        lines.extend(self.doubt.iter().flat_map(Doubt::lines));
         lines.push("end\n".to_owned());
         lines.join("\n")
     }
@@ -227,6 +231,9 @@ impl Model {
                     "weight" => self.features.set(feature, value),
                     _ => self.features.set_drift(feature, value),
                 }
+            }
+            ["doubt", sign, value] => {
+                self.doubt.get_or_insert_default().read_line(sign, value)?;
             }
             _ => return Err(format!("no line of a model begins with {:?}", fields.first())),
         }

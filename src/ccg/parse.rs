@@ -67,6 +67,8 @@ pub struct Parse {
     /// Words that the best reading takes for others, the first and one past the last, with what for: misspelt ones, and
     /// those that the lexicon does not know.
     pub heard: Vec<((usize, usize), String)>,
+    /// How its words were heard.
+    pub hearing: Hearing,
     /// Why there is no single answer.
     pub reason: Option<Reason>,
     /// Derivations tried, in both passes.
@@ -75,6 +77,19 @@ pub struct Parse {
 }
 
 impl Parse {
+    fn new(words: Vec<String>, readings: Vec<Reading>, chart: Chart) -> Self {
+        Parse {
+            words,
+            readings,
+            skipped: Vec::new(),
+            heard: Vec::new(),
+            hearing: Hearing::default(),
+            reason: None,
+            tried: 0,
+            chart,
+        }
+    }
+
     /// The readings with their ranks: two that share a rank are tied.
     pub fn ranked(&self) -> impl Iterator<Item = (i64, Reading)> {
         self.readings.iter().map(|&reading| (rank(reading.score), reading))
@@ -124,8 +139,7 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
     if reason.is_some() {
         let chart =
             Chart::fill(&mut model.grammar, &model.features, 0, Vec::new(), |_, _, _| true, config);
-        let (readings, skipped) = (Vec::new(), Vec::new());
-        return Parse { words, readings, skipped, heard: Vec::new(), reason, tried: 0, chart };
+        return Parse { reason, ..Parse::new(words, Vec::new(), chart) };
     }
     let hearing = Hearing::new(model, &words);
     let Hearing { words: heard, closed, empty } = &hearing;
@@ -166,7 +180,7 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
         parse.reason = Some(Reason::NoParse);
     }
     parse.heard = taken_for(model, &parse, &hearing, &words);
-    parse.words = words;
+    (parse.words, parse.hearing) = (words, hearing);
     parse
 }
 
@@ -240,12 +254,7 @@ fn fill_piece(
     fill(model, words, absorbing(items, &costs), |_, _, _| true, config)
 }
 
-fn fill_at(
-    model: &mut Model,
-    hearing: &Hearing,
-    leniency: Leniency,
-    config: ChartConfig,
-) -> Parse {
+fn fill_at(model: &mut Model, hearing: &Hearing, leniency: Leniency, config: ChartConfig) -> Parse {
     let costs = absorption(model, &hearing.words, &hearing.empty, leniency);
     let items = absorbing(hearing.items(model), &costs);
     fill(model, &hearing.words, items, |_, _, _| true, config)
@@ -264,9 +273,7 @@ pub fn fill(
     let chart = Chart::fill(grammar, features, words.len(), lexical, admit, config);
     let readings = readings(model, &chart);
     let tried = chart.tried;
-    let words = words.to_vec();
-    let (skipped, heard) = (Vec::new(), Vec::new());
-    let mut parse = Parse { words, readings, skipped, heard, reason: None, tried, chart };
+    let mut parse = Parse { tried, ..Parse::new(words.to_vec(), readings, chart) };
     if parse.tied() > 1 {
         parse.reason = Some(Reason::Tie);
     }

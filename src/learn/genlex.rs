@@ -8,9 +8,7 @@ use crate::ccg::chart::{Chart, ChartConfig, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
 use crate::ccg::lookup::lexical_items;
-use crate::ccg::{
-    Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId, closed,
-};
+use crate::ccg::{Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId, closed};
 use crate::logic::{ConstantId, TyId, ty};
 use rustc_hash::FxHashSet;
 

@@ -2,7 +2,7 @@
 
 use super::command::{Blank, Command, Done, Failure, answer_lines};
 use super::corpora::speaker;
-use groundling::ccg::{ChartConfig, Explanation, parse};
+use groundling::ccg::{ChartConfig, Explanation, parse, probability};
 use groundling::logic::print;
 use lexopt::ValueExt;
 use serde_json::{Value, json};
@@ -14,7 +14,7 @@ pub(crate) const COMMAND: Command = Command {
     usage: "--model MODEL [--best 10] [--explain] [FILE…]",
     details: "In:  a command a line\n\
               Out: {\"command\", \"forms\": [{\"form\", \"score\"}], \"skipped\": [words], \"heard\"?: [{\"word\", \"as\"}],\n\
-              \x20    \"reason\"?} a line;\n\
+              \x20    \"probability\"?, \"asks\"?: true, \"reason\"?} a line;\n\
               \x20    all forms tied for best are listed even beyond --best\n\
               \x20    reason, where there is no single answer: empty, too_long, unknown_words, no_parse, tie, budget,\n\
               \x20    left_out (a word that turns round, excludes, joins or orders would have been dropped)\n\
@@ -62,6 +62,12 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
                 json!({ "word": words, "as": name })
             });
             answer["heard"] = heard.collect();
+        }
+        if let Some((probability, asks)) = probability(&model, &parse) {
+            answer["probability"] = probability.into();
+            if asks {
+                answer["asks"] = true.into();
+            }
         }
         if let Some(reason) = parse.reason {
             answer["reason"] = reason.name().into();

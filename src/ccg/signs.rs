@@ -1,0 +1,74 @@
+//! What a parse shows of how far its answer can be trusted, and the probability that the model's map makes of that.
+
+use super::combinator::RuleId;
+use super::derivation::Derivation;
+use super::doubt::Signs;
+use super::features::root_features;
+use super::hearing::taken;
+use super::lexicon::Origin;
+use super::model::Model;
+use super::parse::Parse;
+
+/// The probability that a parse's one answer is what was meant, and whether to ask before it is done; `None` without an
+/// answer, and where the model has no map for it.
+pub fn probability(model: &Model, parse: &Parse) -> Option<(f64, bool)> {
+    parse.answer()?;
+    let doubt = model.doubt.as_ref()?;
+    let probability = doubt.probability(&signs(model, parse)?);
+    Some((probability, doubt.asks(probability)))
+}
+
+/// The signs of a parse's best reading; `None` without one.
+pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
+    let best = *parse.readings.first()?;
+    let derivation = parse.derivation(best);
+    let words = &parse.hearing.words;
+    let n_words = words.len().max(1) as f64;
+    let behind = |at: usize| parse.readings.get(at).map(|reading| best.score - reading.score);
+    let rivals = parse.readings.iter().skip(1).filter(|other| best.score - other.score < 3.0);
+    let known = |word: &&String| model.lexicon.has_content(word);
+    let mut far = 0.0;
+    let (mut learned, mut leaves, mut weakest) = (0.0, 0.0, 10.0_f64);
+    for leaf in derivation.leaves() {
+        let Derivation::Leaf { own: (start, end), entry, .. } = *leaf else { continue };
+        leaves += 1.0;
+        let taken = taken(model, &words[start..end], entry);
+        far += taken.as_ref().map_or(0.0, |(_, features)| features.len() as f64);
+        learned += f64::from(u8::from(model.lexicon.origin(entry) == Origin::Learned));
+        if taken.is_none() {
+            weakest = weakest.min(model.entry_score(entry));
+        }
+    }
+    let root = root_features(&model.grammar.terms, &model.grammar.sorts, best.form);
+    let unseen = root.iter().filter(|&&feature| model.features.weight(feature) == 0.0).count();
+    let beside = model.grammar.rule_named("&").map_or(0, |rule| uses(&derivation, rule));
+    let misspelt = parse.words.iter().zip(words).filter(|(word, heard)| word != heard).count();
+    Some([
+        1.0,
+        behind(1).map_or(1.0, |lead| lead.clamp(0.0, 10.0) / 10.0),
+        rivals.count().min(5) as f64 / 5.0,
+        (best.score / n_words).clamp(-10.0, 10.0) / 10.0,
+        parse.skipped.len().min(4) as f64 / 4.0,
+        parse.skipped.iter().filter(known).count().min(3) as f64 / 3.0,
+        misspelt.min(3) as f64 / 3.0,
+        far.min(6.0) / 6.0,
+        learned / f64::max(leaves, 1.0),
+        weakest.clamp(-10.0, 10.0) / 10.0,
+        n_words.min(20.0) / 20.0,
+        f64::from(u8::from(parse.hearing.closed.iter().any(Option::is_some))),
+        unseen as f64 / root.len().max(1) as f64,
+        f64::from(u8::from(beside > 0)),
+        f64::from(model.grammar.terms.predicates(best.form).min(12)) / 12.0,
+    ])
+}
+
+/// How often a derivation uses a rule.
+fn uses(derivation: &Derivation, wanted: RuleId) -> usize {
+    match derivation {
+        Derivation::Leaf { .. } => 0,
+        Derivation::Node { rule, children, .. } => {
+            let below: usize = children.iter().map(|child| uses(child, wanted)).sum();
+            below + usize::from(*rule == wanted)
+        }
+    }
+}
