@@ -143,7 +143,8 @@ pub const RULES: &[Rule] = &[
     Rule {
         name: "&",
         syntax: |all, left, right| {
-            (all.is(left, Atom::S) && all.is(right, Atom::S)).then_some(left)
+            let begins = all.is(left, Atom::S) || left == SyntaxId::LIST;
+            (begins && all.is(right, Atom::S)).then_some(SyntaxId::LIST)
         },
         meaning: |terms, left, right| terms.conjoin(&[left, right]),
         written: |left, right| Expression::Name("and".into()).applied(vec![left, right]),
