@@ -191,6 +191,7 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
             Long("lexical-beam") => {
                 options.config.lexical_beam = at_least_one(&mut arguments, "--lexical-beam")?;
             }
+            Long("without-idioms") => options.config.idioms = false,
             Long("seed") => options.config.seed = arguments.value()?.parse()?,
             other => return Err(other.unexpected().into()),
         }
