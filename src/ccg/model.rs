@@ -1,12 +1,12 @@
 //! A model: grammar, lexicon and weights, with what is known of how it came to be. Its file is one text, a fact a
 //! line, fields parted by tabs; what is read back scores every sentence to the same bit, since order is kept.
 
+use super::category::Category;
 use super::combinator::{Grammar, Shift};
 use super::doubt::Doubt;
 use super::features::{Feature, Features};
 use super::general::General;
 use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
-use super::category::Category;
 use super::syntax::Atom;
 use crate::logic::{ConstantId, LogicError, Signature, Sorts, TermId, print, read, ty};
 use indexmap::IndexMap;

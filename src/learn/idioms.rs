@@ -86,12 +86,7 @@ impl Idioms {
         }
     }
 
-    fn explains(
-        &self,
-        form: TermId,
-        command: &Command<'_>,
-        validation: &mut Validation,
-    ) -> usize {
+    fn explains(&self, form: TermId, command: &Command<'_>, validation: &mut Validation) -> usize {
         let terms = &self.model.grammar.terms;
         command.rows.iter().filter(|row| validation.valid(terms, form, row)).count()
     }

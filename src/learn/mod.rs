@@ -14,13 +14,16 @@ pub mod teach;
 pub mod score;
 pub mod confusion;
 pub mod report;
+pub mod reliability;
 pub mod evaluate;
+pub mod calibrate;
 pub mod experiment;
 pub mod paper;
 
 pub use config::Config;
 pub use evaluate::{Evaluation, Judge};
 pub use planning::{PlannerCost, Planning, Validation};
+pub use reliability::Reliability;
 pub use report::Report;
 pub use score::{Mark, Score, Scores, Ties, Verdict};
 pub use seed::{CLEANUP_LEXICON, DEMONSTRATION_LEXICON, seed_model};
