@@ -45,6 +45,8 @@ pub enum Noun {
     Robot,
     /// The thing that is being described.
     It,
+    /// The thing around the one that is being described: `the room without a chair in it`.
+    Outer,
     /// Whatever fits a description.
     Described(Box<Description>),
     /// What has no plain words: as people write logic.
@@ -137,8 +139,10 @@ impl Teller<'_> {
     }
 
     fn called(self, term: TermId) -> Option<Noun> {
-        if self.terms.node(term) == Node::Variable(0) {
-            return Some(Noun::It);
+        match self.terms.node(term) {
+            Node::Variable(0) => return Some(Noun::It),
+            Node::Variable(1) => return Some(Noun::Outer),
+            _ => {}
         }
         let (article, property) = match meaning(self.terms, term)? {
             (Meaning::The, &[property]) => (Article::The, property),
@@ -171,6 +175,7 @@ impl Teller<'_> {
         };
         let (mut colors, mut shapes, mut classes, mut claims) = (vec![], vec![], vec![], vec![]);
         for &conjunct in conjuncts {
+            let conjunct = self.own(conjunct);
             match meaning(self.terms, conjunct) {
                 Some((Meaning::Property(own), &[of]))
                     if self.terms.node(of) == Node::Variable(0) =>
@@ -190,6 +195,38 @@ impl Teller<'_> {
         }
         let properties = colors.into_iter().chain(shapes).chain(classes).map(|(_, name)| name);
         Some(Description { article, properties: properties.collect(), claims })
+    }
+
+    /// What a general noun names itself: of "a box, or a block where there is no box", the box. Anything else as it is.
+    fn own(self, term: TermId) -> TermId {
+        let Some((Meaning::Or, any)) = meaning(self.terms, term) else { return term };
+        let property = |part: TermId| match meaning(self.terms, part) {
+            Some((Meaning::Property(property), _)) => Some(property),
+            _ => None,
+        };
+        let denies = |part: TermId, own: Property| match meaning(self.terms, part) {
+            Some((Meaning::Not, &[of])) => match meaning(self.terms, of) {
+                Some((Meaning::Exists, &[of])) => match self.terms.node(of) {
+                    Node::Lambda { body, .. } => property(body) == Some(own),
+                    _ => false,
+                },
+                _ => false,
+            },
+            _ => false,
+        };
+        let is_instead = |part: TermId, own: Property| match meaning(self.terms, part) {
+            Some((Meaning::And, all)) => all.iter().any(|&part| denies(part, own)),
+            _ => false,
+        };
+        let mut names = any.iter().filter_map(|&part| Some((part, property(part)?)));
+        match (names.next(), names.next()) {
+            (Some((name, own)), None)
+                if any.iter().all(|&part| part == name || is_instead(part, own)) =>
+            {
+                name
+            }
+            _ => term,
+        }
     }
 
     fn each(self, terms: &[TermId]) -> Option<Vec<Claim>> {
