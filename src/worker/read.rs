@@ -1,9 +1,7 @@
 //! A parse taken apart for the page: words, readings with their pieces, phrases and cells, and for those who study
 //! them scores and reductions.
 
-use super::protocol::{
-    Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Taken, Word,
-};
+use super::protocol::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Taken, Word};
 use crate::ccg::{
     self, ChartConfig, Derivation, Explanation, Hearing, Model, Parse, Reason, Trace, Traced,
     alike, composed_words, parse_words,

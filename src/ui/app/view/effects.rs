@@ -22,6 +22,9 @@ const SCRIPT: &str = "engine.js";
 /// The model that comes with the page, beside it.
 const MODEL: &str = "cleanup.model";
 
+/// The general resource for words, beside it.
+const WORDS: &str = "words.txt";
+
 /// Carries effects out, and tells the page what comes of them.
 pub(super) struct Effects {
     act: Callback<Action>,
@@ -84,6 +87,13 @@ impl Effects {
                 spawn_local(async move {
                     let text = fetch(MODEL).await.map_err(|error| host::words(&error));
                     act.emit(Action::Fetched(text));
+                });
+            }
+            Effect::FetchWords => {
+                let act = self.act.clone();
+                spawn_local(async move {
+                    let text = fetch(WORDS).await.map_err(|error| host::words(&error));
+                    act.emit(Action::FetchedWords(text));
                 });
             }
             Effect::SetLanguage(language) => host::set_language(language.code()),
