@@ -3,7 +3,7 @@
 
 use super::class::Class;
 use super::denote::meaning;
-use super::predicate::{Meaning, Measure, Property};
+use super::predicate::{Meaning, Measure, Property, Relation};
 use super::shade::Shade;
 use crate::logic::{Node, TermId, Terms, print_human};
 use serde::{Deserialize, Serialize};
@@ -83,13 +83,13 @@ pub enum Article {
 /// What a goal says. What has no plain words stands in it as people write logic: the smallest part that is closed.
 pub fn claim(terms: &Terms, goal: TermId) -> Claim {
     let formula = || Claim::Formula(print_human(terms, goal));
-    Teller { terms, depth: MAX_DEPTH }.claim(goal).unwrap_or_else(formula)
+    Teller { terms, depth: MAX_DEPTH, is_inside: false }.claim(goal).unwrap_or_else(formula)
 }
 
 /// What a term of type `e` is called.
 pub fn noun(terms: &Terms, term: TermId) -> Noun {
     let formula = || Noun::Formula(print_human(terms, term));
-    Teller { terms, depth: MAX_DEPTH }.noun(term).unwrap_or_else(formula)
+    Teller { terms, depth: MAX_DEPTH, is_inside: false }.noun(term).unwrap_or_else(formula)
 }
 
 /// The measure that a term of type `<e,n>` names.
@@ -107,6 +107,8 @@ pub(super) fn measured(terms: &Terms, measure: TermId) -> Option<Measure> {
 struct Teller<'a> {
     terms: &'a Terms,
     depth: usize,
+    /// Whether what is told is of a thing that there is, which may be in a thing that is being described.
+    is_inside: bool,
 }
 
 impl Teller<'_> {
@@ -122,9 +124,18 @@ impl Teller<'_> {
             (Meaning::Or | Meaning::False, any) => Claim::Any(self.each(any)?),
             (Meaning::Not, &[of]) => Claim::Not(Box::new(self.claim(of)?)),
             (Meaning::Exists, &[property]) => {
-                Claim::Exists(Box::new(self.description(Article::A, property)?))
+                let inside = Teller { is_inside: true, ..self };
+                Claim::Exists(Box::new(inside.description(Article::A, property)?))
             }
             (Meaning::Property(_), &[of]) => Claim::Is(self.name(term)?, Box::new(self.noun(of)?)),
+            (Meaning::Relation(Relation::In), &[a, b])
+                if self.is_inside
+                    && self.terms.node(a) == Node::Variable(0)
+                    && self.terms.node(b) == Node::Variable(1) =>
+            {
+                let nouns = Box::new([Noun::It, Noun::Outer]);
+                Claim::Related { relation: self.name(term)?, nouns }
+            }
             (Meaning::Relation(_), &[a, b]) => {
                 let nouns = Box::new([self.noun(a)?, self.noun(b)?]);
                 Claim::Related { relation: self.name(term)?, nouns }
@@ -139,10 +150,8 @@ impl Teller<'_> {
     }
 
     fn called(self, term: TermId) -> Option<Noun> {
-        match self.terms.node(term) {
-            Node::Variable(0) => return Some(Noun::It),
-            Node::Variable(1) => return Some(Noun::Outer),
-            _ => {}
+        if self.terms.node(term) == Node::Variable(0) {
+            return Some(Noun::It);
         }
         let (article, property) = match meaning(self.terms, term)? {
             (Meaning::The, &[property]) => (Article::The, property),
@@ -157,7 +166,7 @@ impl Teller<'_> {
             }
             _ => return None,
         };
-        let described = self.description(article, property)?;
+        let described = Teller { is_inside: false, ..self }.description(article, property)?;
         let agent = ["agent".to_owned()];
         let is_robot = article == Article::The && described.properties == agent;
         Some(match is_robot && described.claims.is_empty() {
