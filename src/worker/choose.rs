@@ -27,7 +27,9 @@ pub(super) fn choices(parse: &Parse, readings: &[Reading], is_doubtful: bool) ->
             vec![other, 0]
         }
     };
-    all.sort_by_key(|at| !fits(at));
+    let (first, last): (Vec<usize>, Vec<usize>) = all.into_iter().partition(fits);
+    all = first;
+    all.extend(last);
     let mut told: Vec<&Claim> = Vec::new();
     all.retain(|&at| {
         let claim = readings.get(at).map(|one| &one.claim).filter(|claim| !told.contains(claim));

@@ -38,7 +38,7 @@ pub(super) fn words(model: &Model, parse: &Parse) -> Vec<Word> {
         let fate = match &absorbed {
             Some(absorbed) if !is_out && absorbed.contains(&at) => Fate::Empty,
             Some(_) if !is_out => Fate::Meant,
-            _ if !model.lexicon.knows(spelt) => Fate::Unknown,
+            _ if closed[at].is_none() && !model.lexicon.knows(spelt) => Fate::Unknown,
             None if !is_out => Fate::Idle,
             _ => Fate::Skipped,
         };

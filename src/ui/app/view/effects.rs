@@ -102,7 +102,8 @@ impl Effects {
                 let act = self.act.clone();
                 spawn_local(async move { act.emit(Action::Copied(host::copy(&text).await)) });
             }
-            Effect::Focus(id) => host::focus(id),
+            // The element may be in what is about to be drawn.
+            Effect::Focus(id) => spawn_local(async move { host::focus(id) }),
             Effect::Save { name, text } => save(&name, &text)?,
         }
         Ok(())

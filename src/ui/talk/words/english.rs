@@ -98,7 +98,7 @@ pub(super) static ENGLISH: Text = Text {
         half_time: "What comes first and what is passed on the way I do not understand yet. Say one thing at a time.",
         half_denied: "What must not happen beside something to do I do not understand yet.",
         half_other: "See whether the rest is what you meant.",
-        keeps: "There is nothing to do, and I will not think of it at the next command.",
+        keeps: "There is nothing to do, and I will not remember it for later.",
         already_true: (
             "That is already so: the robot has nothing to do.",
             "Ask for something that is not so yet, or go elsewhere.",

@@ -97,7 +97,7 @@ pub(super) static GERMAN: Text = Text {
         half_time: "Was zuerst kommt und was auf dem Weg liegt, verstehe ich noch nicht. Sag eins nach dem anderen.",
         half_denied: "Was neben einem Auftrag nicht geschehen darf, verstehe ich noch nicht.",
         half_other: "Sieh nach, ob der Rest ist, was du meinst.",
-        keeps: "Zu tun ist nichts, und beim nächsten Befehl denke ich nicht mehr daran.",
+        keeps: "Zu tun ist nichts, und für später merke ich es mir nicht.",
         already_true: (
             "Das ist schon so: Der Roboter hat nichts zu tun.",
             "Verlange etwas, das noch nicht so ist, oder geh woandershin.",
