@@ -7,7 +7,7 @@ SHELL := bash
 .SILENT:
 .DEFAULT_GOAL := help
 .PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora update-goldens plots \
-	rust-parts wasm-target chromium packages command-line xz corpus model words
+	rust-parts wasm-target chromium packages command-line xz corpus model doubt words
 
 # Where our own tools live; another folder can be given to share them between work trees.
 TOOLS ?= target/tools
@@ -85,7 +85,17 @@ model: rust-parts xz ## learn the model that the page opens with anew, from the 
 	for corpus in crowd wide; do
 		xz --decompress --stdout assets/corpus/$$corpus.csv.xz >target/model/$$corpus.csv
 	done
-	cargo run --release --bin groundling -- train --corpus target/model/crowd.csv target/model/wide.csv --out "$(MODEL)"
+	cargo run --release --bin groundling -- train --corpus target/model/crowd.csv target/model/wide.csv --doubt assets/model/doubt.txt --out "$(MODEL)"
+
+# The commands that say how far answers can be trusted: people's, kept elsewhere.
+PEOPLE := amt-pruned-train amt-raw-train amt-2015-objects
+
+doubt: model ## learn anew how far answers can be trusted, from commands kept elsewhere: DIR=folder
+	test -n "$(DIR)" || { echo "say where the corpora are: make doubt DIR=folder" >&2; exit 2; }
+	cargo run --release --bin groundling -- calibrate --model "$(MODEL)" \
+		--corpus $(PEOPLE:%="$(DIR)/%.csv") --precision 0.875 --out target/model/doubt.txt
+	{ grep "^#" assets/model/doubt.txt; cat target/model/doubt.txt; } >target/model/doubt.new
+	mv target/model/doubt.new assets/model/doubt.txt
 
 corpus: rust-parts xz ## draw the states of the commands of assets/corpus/wide.txt anew
 	mkdir -p target/corpus

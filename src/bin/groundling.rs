@@ -12,6 +12,8 @@ mod figures;
 mod parallel;
 #[path = "groundling/train.rs"]
 mod train;
+#[path = "groundling/calibrate.rs"]
+mod calibrate;
 #[path = "groundling/evaluate.rs"]
 mod evaluate;
 #[path = "groundling/parse.rs"]
@@ -35,6 +37,7 @@ use std::process::ExitCode;
 /// Every command, in the order of the help.
 const COMMANDS: &[Command] = &[
     train::COMMAND,
+    calibrate::COMMAND,
     evaluate::COMMAND,
     parse::COMMAND,
     holds::COMMAND,

@@ -102,6 +102,8 @@ pub struct Edge {
     pub score: f64,
     /// Its best derivation.
     pub step: Step,
+    /// Whether as a functor it throws its first argument away, and its second.
+    throws: [bool; 2],
     /// The first of its other derivations, where they are kept.
     other: u32,
     /// Where its best derivation splits the span, for ties.
@@ -299,7 +301,9 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
                         let left = edges[l as usize];
                         for &r in rights {
                             let right = edges[r as usize];
-                            if !rule.admits(left.made, right.made) {
+                            if !rule.admits(left.made, right.made)
+                                || !config.allow_throwing && rule.throws(left.throws, right.throws)
+                            {
                                 continue;
                             }
                             if *tried >= config.budget {
@@ -308,9 +312,6 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
                             }
                             *tried += 1;
                             let (f, g) = (left.category.meaning, right.category.meaning);
-                            if !config.allow_throwing && grammar.thrown(rule, f, g).is_some() {
-                                continue;
-                            }
                             let Some(meaning) = grammar.combine(rule, f, g, config.allow_vacuous)
                             else {
                                 continue;
@@ -395,7 +396,8 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Cell<A> {
             if !grammar.fits(category.meaning) || !admit(grammar, *span, category) {
                 return NONE;
             }
-            edges.push(Edge { category, made, score, step, other: NONE, split });
+            let throws = [0, 1].map(|after| grammar.throws(category.meaning, after));
+            edges.push(Edge { category, made, score, step, throws, other: NONE, split });
             edges.len() as u32 - 1
         });
         let Some(edge) = edges.get_mut(place as usize) else { return };

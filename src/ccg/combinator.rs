@@ -242,14 +242,10 @@ impl Grammar {
 
     /// Which of two neighbours the row throws away, if any.
     pub(super) fn thrown(&self, rule: RuleId, left: TermId, right: TermId) -> Option<Side> {
-        let rule = RULES.get(usize::from(rule.0))?;
-        match rule.functor {
-            Side::Left => self.throws(left, 0).then_some(Side::Right),
-            Side::Right => self.throws(right, 0).then_some(Side::Left),
-            // What is raised is the second argument of its neighbour.
-            Side::Raised => self.throws(right, 1).then_some(Side::Left),
-            Side::Neither => None,
-        }
+        let throws = |meaning| [0, 1].map(|after| self.throws(meaning, after));
+        let functor = RULES.get(usize::from(rule.0))?.functor;
+        let thrown = if functor == Side::Left { Side::Right } else { Side::Left };
+        rule.throws(throws(left), throws(right)).then_some(thrown)
     }
 
     /// What any rule, a shift too, makes of the meanings of its parts; `None` when they do not fit or the result would
@@ -340,6 +336,18 @@ impl RuleId {
     /// How what the rule makes is marked for the normal form.
     pub fn makes(self) -> Made {
         RULES.get(usize::from(self.0)).map_or(Made::ByShift, |rule| rule.made)
+    }
+
+    /// Whether the rule throws one of its neighbours away, of each of which is known whether as a functor it throws its
+    /// first and its second argument away.
+    pub(super) fn throws(self, left: [bool; 2], right: [bool; 2]) -> bool {
+        match RULES.get(usize::from(self.0)).map(|rule| rule.functor) {
+            Some(Side::Left) => left[0],
+            Some(Side::Right) => right[0],
+            // What is raised is the second argument of its neighbour.
+            Some(Side::Raised) => right[1],
+            Some(Side::Neither) | None => false,
+        }
     }
 
     /// Whether the normal form admits the rule on constituents made so (Eisner 1996).

@@ -104,6 +104,8 @@ pub struct Lexicon {
     longest: usize,
     /// The lexicon proper, in the order the entries came into it.
     admitted: Vec<EntryId>,
+    /// Whole sentences with a meaning of their own, heard only when nothing else is said.
+    idioms: IndexMap<Box<[Box<str>]>, EntryId, FxBuildHasher>,
     /// The templates that learned words may fill, with what may stand in their holes.
     pub open: IndexMap<TemplateId, Box<[Hole]>, FxBuildHasher>,
     /// Constants that templates keep, besides connectives and determiners.
@@ -256,6 +258,32 @@ impl Lexicon {
         let holes = factored.constants.len();
         let template = self.add_template(category.syntax, factored.template, holes);
         self.add(grammar, Lexeme { words, constants: factored.constants.into() }, template, origin)
+    }
+
+    /// Gives a whole sentence a category, in place of one that it has already. It is no part of the lexicon proper: no
+    /// word is known by it.
+    ///
+    /// # Errors
+    /// When the category cannot be factored.
+    pub fn add_idiom(
+        &mut self,
+        grammar: &mut Grammar,
+        words: Box<[Box<str>]>,
+        category: Category,
+    ) -> Result<EntryId, LogicError> {
+        let entry = self.add_category(grammar, words.clone(), category, Origin::Candidate)?;
+        self.idioms.insert(words, entry);
+        Ok(entry)
+    }
+
+    /// The entry of a whole sentence, if it is an idiom.
+    pub fn idiom(&self, words: &[Box<str>]) -> Option<EntryId> {
+        self.idioms.get(words).copied()
+    }
+
+    /// The idioms, in the order they came.
+    pub fn idioms(&self) -> impl Iterator<Item = (&[Box<str>], EntryId)> {
+        self.idioms.iter().map(|(words, &entry)| (&**words, entry))
     }
 
     /// The id of a lexeme, with or without entries.

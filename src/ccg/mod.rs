@@ -30,7 +30,7 @@ pub use chart::{Chart, ChartConfig, Lexical};
 pub use closed::{any_closed, closed};
 pub use combinator::{Grammar, RULES, RuleId, Shift};
 pub use derivation::Derivation;
-pub use doubt::{Doubt, SIGNS, Signs};
+pub use doubt::{Doubt, Signs};
 pub use explain::{EntryText, Explanation, Part};
 pub use features::{Feature, FeatureId, Features, Vector};
 pub use general::{General, GeneralError, Near, Target};

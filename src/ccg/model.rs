@@ -1,12 +1,14 @@
 //! A model: grammar, lexicon and weights, with what is known of how it came to be. Its file is one text, a fact a
 //! line, fields parted by tabs; what is read back scores every sentence to the same bit, since order is kept.
 
+use super::category::Category;
 use super::combinator::{Grammar, Shift};
 use super::doubt::Doubt;
 use super::features::{Feature, Features};
 use super::general::General;
 use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
-use crate::logic::{ConstantId, Signature, Sorts, TermId, print, read};
+use super::syntax::Atom;
+use crate::logic::{ConstantId, LogicError, Signature, Sorts, TermId, print, read, ty};
 use indexmap::IndexMap;
 use std::sync::Arc;
 
@@ -97,6 +99,17 @@ impl Model {
         features.iter().fold(0.0, |sum, &feature| sum + self.features.value(feature))
     }
 
+    /// Gives a whole sentence a goal, heard only when nothing else is said.
+    ///
+    /// # Errors
+    /// When the goal is too large.
+    pub fn add_idiom(&mut self, words: &[String], goal: TermId) -> Result<(), LogicError> {
+        let words = words.iter().map(|word| Box::from(word.as_str())).collect();
+        let syntax = self.grammar.syntaxes.atom(Atom::S);
+        let category = Category { syntax, meaning: goal };
+        self.lexicon.add_idiom(&mut self.grammar, words, category).map(drop)
+    }
+
     /// The model file's text.
     pub fn print(&self) -> String {
         let mut lines = vec![HEADER.to_owned()];
@@ -131,6 +144,10 @@ impl Model {
             if drift != 0.0 {
                 lines.push(format!("drift\t{feature}\t{drift}"));
             }
+        }
+        for (words, entry) in self.lexicon.idioms() {
+            let goal = print(&self.grammar.terms, self.lexicon.category(entry).meaning);
+            lines.push(format!("idiom\t{}\t{goal}", words.join(" ")));
         }
         lines.extend(self.doubt.iter().flat_map(Doubt::lines));
         lines.push("end\n".to_owned());
@@ -231,6 +248,15 @@ impl Model {
                     "weight" => self.features.set(feature, value),
                     _ => self.features.set_drift(feature, value),
                 }
+            }
+            ["idiom", words, goal] => {
+                let words: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
+                let goal = read(&mut self.grammar.terms, goal).map_err(|e| e.to_string())?;
+                self.check_constants(goal)?;
+                if words.is_empty() || self.grammar.terms.ty(goal) != ty::TRUTH {
+                    return Err("an idiom is words and a goal".to_owned());
+                }
+                self.add_idiom(&words, goal).map_err(|e| e.to_string())?;
             }
             ["doubt", sign, value] => {
                 self.doubt.get_or_insert_default().read_line(sign, value)?;

@@ -11,6 +11,7 @@ use super::derivation::Derivation;
 use super::features::root_features;
 use super::hearing::{Hearing, taken};
 use super::lexicon::EntryId;
+use super::lookup::lexical_item;
 use super::model::Model;
 use super::sentence::{MAX_WORDS, words};
 use crate::logic::{Node, TermId, Terms, TyId, print, ty};
@@ -146,7 +147,10 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
     }
     let hearing = Hearing::new(model, &words);
     let Hearing { words: heard, closed, empty } = &hearing;
-    let mut parse = fill_at(model, &hearing, Leniency::Learned, config);
+    let mut parse = match idiom(model, &hearing) {
+        Some(item) => fill(model, heard, vec![item], |_, _, _| true, config),
+        None => fill_at(model, &hearing, Leniency::Learned, config),
+    };
     for leniency in [Leniency::Unknown, Leniency::Any] {
         if parse.readings.is_empty() {
             let allow_throwing = leniency == Leniency::Any;
@@ -221,6 +225,14 @@ fn left_out(
     left_out.sort_unstable();
     left_out.dedup_by_key(|(at, _)| *at);
     left_out
+}
+
+/// The entry of the whole sentence, if it is an idiom.
+fn idiom(model: &Model, hearing: &Hearing) -> Option<Lexical> {
+    let words: Vec<Box<str>> = hearing.words.iter().map(|word| Box::from(&**word)).collect();
+    let is_closed = hearing.closed.iter().any(Option::is_some);
+    let entry = model.lexicon.idiom(&words).filter(|_| !is_closed)?;
+    Some(lexical_item(model, entry, 0, words.len()))
 }
 
 /// The stretches of a sentence without closed words, the last one first: a part of it that could be done. Behind a word

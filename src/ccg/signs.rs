@@ -3,7 +3,7 @@
 use super::combinator::RuleId;
 use super::derivation::Derivation;
 use super::doubt::Signs;
-use super::features::root_features;
+use super::features::{Feature, root_features};
 use super::hearing::taken;
 use super::lexicon::Origin;
 use super::model::Model;
@@ -43,23 +43,34 @@ pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
     let unseen = root.iter().filter(|&&feature| model.features.weight(feature) == 0.0).count();
     let beside = model.grammar.rule_named("&").map_or(0, |rule| uses(&derivation, rule));
     let misspelt = parse.words.iter().zip(words).filter(|(word, heard)| word != heard).count();
-    Some([
-        1.0,
-        behind(1).map_or(1.0, |lead| lead.clamp(0.0, 10.0) / 10.0),
-        rivals.count().min(5) as f64 / 5.0,
-        (best.score / n_words).clamp(-10.0, 10.0) / 10.0,
-        parse.skipped.len().min(4) as f64 / 4.0,
-        parse.skipped.iter().filter(known).count().min(3) as f64 / 3.0,
-        misspelt.min(3) as f64 / 3.0,
-        far.min(6.0) / 6.0,
-        learned / f64::max(leaves, 1.0),
-        weakest.clamp(-10.0, 10.0) / 10.0,
-        n_words.min(20.0) / 20.0,
-        f64::from(u8::from(parse.hearing.closed.iter().any(Option::is_some))),
-        unseen as f64 / root.len().max(1) as f64,
-        f64::from(u8::from(beside > 0)),
-        f64::from(model.grammar.terms.predicates(best.form).min(12)) / 12.0,
-    ])
+    let share = |count: usize, most: usize| count.min(most) as f64 / most as f64;
+    let values = [
+        ("bias", 1.0),
+        ("lead", behind(1).map_or(1.0, |lead| lead.clamp(0.0, 10.0) / 10.0)),
+        ("rivals", share(rivals.count(), 5)),
+        ("score", (best.score / n_words).clamp(-10.0, 10.0) / 10.0),
+        ("skipped", share(parse.skipped.len(), 4)),
+        ("skipped known", share(parse.skipped.iter().filter(known).count(), 3)),
+        ("misspelt", share(misspelt, 3)),
+        ("far", f64::min(far, 6.0) / 6.0),
+        ("learned", learned / f64::max(leaves, 1.0)),
+        ("weakest", weakest.clamp(-10.0, 10.0) / 10.0),
+        ("length", n_words.min(20.0) / 20.0),
+        ("closed", f64::from(u8::from(parse.hearing.closed.iter().any(Option::is_some)))),
+        ("unseen", unseen as f64 / root.len().max(1) as f64),
+        ("beside", f64::from(u8::from(beside > 0))),
+        ("predicates", share(model.grammar.terms.predicates(best.form) as usize, 12)),
+    ];
+    let mut signs: Signs = values.map(|(name, value)| (name.to_owned(), value)).into();
+    // What it claims of what: each once.
+    let claims = root.iter().filter(|feature| matches!(feature, Feature::Head(_, 0, _)));
+    for claim in claims {
+        let name = model.feature_text(*claim).replace('\t', " ");
+        if signs.iter().all(|(known, _)| *known != name) {
+            signs.push((name, 1.0));
+        }
+    }
+    Some(signs)
 }
 
 /// How often a derivation uses a rule.

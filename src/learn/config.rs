@@ -24,6 +24,8 @@ pub struct Config {
     pub lexical_budget: usize,
     /// Epochs, from the first, in which entries are generated for sentences that the lexicon cannot explain.
     pub generations: u32,
+    /// Whether commands that recur may become idioms when training is over.
+    pub idioms: bool,
     /// The planner that the paper's Table III compares against; `None` learns as the paper does.
     pub planning: Option<Planning>,
 }
@@ -40,6 +42,7 @@ impl Default for Config {
             budget: ChartConfig::default().budget,
             lexical_budget: 20_000,
             generations: 2,
+            idioms: true,
             planning: None,
         }
     }
@@ -62,12 +65,13 @@ impl Config {
             budget: fact(model, "budget", default.budget),
             lexical_budget: fact(model, "lexical_budget", default.lexical_budget),
             generations: fact(model, "generations", default.generations),
+            idioms: fact(model, "idioms", default.idioms),
             planning: None,
         }
     }
 
     /// The settings as facts of a model file.
-    pub(super) fn facts(&self) -> [(&'static str, String); 9] {
+    pub(super) fn facts(&self) -> [(&'static str, String); 10] {
         let demonstrations = self.demonstrations.map_or("all".to_owned(), |n| n.to_string());
         [
             ("epochs", self.epochs.to_string()),
@@ -79,6 +83,7 @@ impl Config {
             ("budget", self.budget.to_string()),
             ("lexical_budget", self.lexical_budget.to_string()),
             ("generations", self.generations.to_string()),
+            ("idioms", self.idioms.to_string()),
         ]
     }
 }

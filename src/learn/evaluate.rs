@@ -5,8 +5,8 @@ use super::confusion::Observer;
 use super::report::Report;
 use super::score::{Mark, Scores, Ties, Verdict};
 use crate::ccg::chart::ChartConfig;
-use crate::ccg::{Model, Parse, parse};
-use crate::corpus::{Example, Pair};
+use crate::ccg::{Model, Parse, Reason, parse, probability};
+use crate::corpus::Example;
 use crate::ground::{Goal, PairId, Validator};
 use crate::logic::{TermId, Terms};
 
@@ -29,20 +29,15 @@ impl Judge {
     pub fn ask(&mut self, model: &mut Model, example: &Example) -> Scores {
         let parse = parse(model, &example.command, self.config);
         let terms = &model.grammar.terms;
-        let mut validator = Validator::new();
-        let pairs: Vec<PairId> =
-            example.pairs.iter().map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
-        let mut verdict = |form: Option<TermId>| match form {
-            None => Verdict::Silent,
-            Some(form) if validator.valid(terms, form, &pairs) => Verdict::Right,
-            Some(_) => Verdict::Wrong,
-        };
         let form = parse.answer().map(|reading| reading.form);
+        let doubted = probability(model, &parse);
         let mark = Mark {
             task: example.task.clone(),
-            answer: verdict(form),
-            resolved: verdict(form.or_else(|| resolve(terms, &parse, &example.pairs))),
+            answer: verdict(terms, form, example),
+            resolved: verdict(terms, form.or_else(|| resolve(terms, &parse, example)), example),
             skipped: !parse.skipped.is_empty(),
+            probability: doubted.map(|(probability, _)| probability),
+            asked: doubted.is_some_and(|(_, asks)| asks),
         };
         if let (Verdict::Wrong, Some(form)) = (mark.answer, form) {
             let does = self.observer.recognise(terms, form, example.task.as_deref());
@@ -64,10 +59,26 @@ impl Judge {
     }
 }
 
-/// The one of the forms tied for best all of whose phrases refer in every state before.
-fn resolve(terms: &Terms, parse: &Parse, pairs: &[Pair]) -> Option<TermId> {
+/// Whether an answer, if there is one, does what an example shows.
+pub(super) fn verdict(terms: &Terms, form: Option<TermId>, example: &Example) -> Verdict {
+    let mut validator = Validator::new();
+    let pairs: Vec<PairId> =
+        example.pairs.iter().map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
+    match form {
+        None => Verdict::Silent,
+        Some(form) if validator.valid(terms, form, &pairs) => Verdict::Right,
+        Some(_) => Verdict::Wrong,
+    }
+}
+
+/// The one of the forms tied for best all of whose phrases refer in every state before. Where words were left out, there
+/// is none.
+fn resolve(terms: &Terms, parse: &Parse, example: &Example) -> Option<TermId> {
+    if parse.reason != Some(Reason::Tie) {
+        return None;
+    }
     let refers = |form: &TermId| {
-        pairs.iter().all(|pair| {
+        example.pairs.iter().all(|pair| {
             Goal::new(terms, *form, &pair.pre).is_ok_and(|goal| goal.failures().is_empty())
         })
     };

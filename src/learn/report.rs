@@ -15,7 +15,7 @@ const SEED: u64 = 95;
 const LEFT_OUT: usize = RESAMPLES / 40;
 
 /// What an evaluation found.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
     /// How each command was answered, in order.
     pub marks: Vec<Mark>,

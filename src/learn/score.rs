@@ -14,7 +14,7 @@ pub enum Verdict {
 }
 
 /// How one command was answered.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mark {
     /// The label of its task.
     pub task: Option<String>,
@@ -24,6 +24,10 @@ pub struct Mark {
     pub resolved: Verdict,
     /// Whether words were skipped.
     pub skipped: bool,
+    /// The probability that the answer says it is right with.
+    pub probability: Option<f64>,
+    /// Whether a page would ask before doing it.
+    pub asked: bool,
 }
 
 /// Who answers when several forms are tied for best.

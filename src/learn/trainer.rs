@@ -4,6 +4,7 @@
 use super::config::Config;
 use super::genlex::{Candidate, Generated, Scope, generate};
 use super::gradient::update;
+use super::idioms::{Command, Idioms};
 use super::planning::{PlannerCost, Planning, Validation};
 use crate::ccg::absorb::{Leniency, absorbing, absorption};
 use crate::ccg::chart::ChartConfig;
@@ -111,6 +112,8 @@ pub struct Trainer {
     next: usize,
     phase: Phase,
     so_far: Epoch,
+    /// What is done when the epochs are over.
+    idioms: Option<Idioms>,
 }
 
 impl Trainer {
@@ -144,6 +147,7 @@ impl Trainer {
             next: 0,
             phase: Phase::Explain,
             so_far: Epoch::default(),
+            idioms: None,
         };
         trainer.begin_epoch();
         trainer
@@ -223,9 +227,15 @@ impl Trainer {
         self.validator.cost()
     }
 
-    /// Whether all epochs are done.
+    /// Whether all epochs are done, and idioms found.
     pub fn is_done(&self) -> bool {
-        self.epoch > self.config.epochs || self.items.is_empty()
+        let has_idioms = || self.idioms.as_ref().is_some_and(|i| i.seen() == 2 * self.items.len());
+        self.items.is_empty() || self.is_trained() && (!self.config.idioms || has_idioms())
+    }
+
+    /// Whether all epochs are done.
+    fn is_trained(&self) -> bool {
+        self.epoch > self.config.epochs
     }
 
     /// The model as it is now.
@@ -233,8 +243,11 @@ impl Trainer {
         &self.model
     }
 
-    /// The model with every weight as it was on average so far, which is what a run ends with.
+    /// The model with every weight as it was on average so far and the idioms found, which is what a run ends with.
     pub fn averaged(&self) -> Model {
+        if let Some(idioms) = &self.idioms {
+            return idioms.model().clone();
+        }
         let mut model = self.model.clone();
         let visits = self.visits();
         if visits > 0.0 {
@@ -274,6 +287,10 @@ impl Trainer {
         if self.is_done() {
             return None;
         }
+        if self.is_trained() {
+            self.look_for_idioms();
+            return None;
+        }
         let at = *self.order.get(self.next)? as usize;
         if let Phase::Generate(example, scope) = self.phase {
             self.generate(at, example, scope);
@@ -303,6 +320,20 @@ impl Trainer {
             self.begin_epoch();
         }
         Some(progress)
+    }
+
+    /// Looks at one command: what it is answered, or what else it could mean.
+    fn look_for_idioms(&mut self) {
+        let mut idioms = self.idioms.take().unwrap_or_else(|| Idioms::new(self.averaged()));
+        let (seen, all) = (idioms.seen(), self.items.len());
+        if let Some(Item { words, examples }) = self.items.get(seen % all) {
+            let command = Command { words, rows: examples };
+            match seen < all {
+                true => idioms.answer(&command, &mut self.validator),
+                false => idioms.search(&command, &mut self.validator),
+            }
+        }
+        self.idioms = Some(idioms);
     }
 
     fn begin_epoch(&mut self) {

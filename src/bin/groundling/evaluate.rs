@@ -18,7 +18,10 @@ pub(crate) const COMMAND: Command = Command {
               \x20 --with-rejected     use rejected rows too\n\
               \x20 --json              print one JSON object: total, answered, correct, precision, recall, f1;\n\
               \x20                     the same after skipping_ (words skipped) and resolved_ (ties broken by\n\
-              \x20                     which form refers); intervals (95 %), tasks, confusion, seconds",
+              \x20                     which form refers); intervals (95 %), tasks, confusion, seconds; and of the\n\
+              \x20                     answers that say how likely they are right (words skipped): asked,\n\
+              \x20                     unasked_precision, ece (expected calibration error, ten bins), reliability\n\
+              \x20                     (the bins), risk_coverage",
     run,
 };
 

@@ -1,6 +1,7 @@
 //! Scores as JSON and as lines for a person; the keys of `evaluate --json` are a contract.
 
-use groundling::learn::{Report, Score, Scores, Ties};
+use groundling::learn::reliability::{Bin, Cut};
+use groundling::learn::{Reliability, Report, Score, Scores, Ties};
 use serde_json::{Map, Value, json};
 
 /// The six figures, and the six with the skipping parse counted.
@@ -28,6 +29,15 @@ pub(crate) fn report_json(report: &Report) -> Value {
         Value::Object(object)
     });
     object.insert("tasks".into(), tasks.collect());
+    let Reliability { asked, unasked_precision, ece, bins, risk_coverage } =
+        Reliability::of(&report.marks);
+    object.insert("asked".into(), asked.into());
+    object.insert("unasked_precision".into(), unasked_precision.into());
+    object.insert("ece".into(), ece.into());
+    let cut = |Cut { threshold, coverage, risk }: Cut| json!({ "threshold": threshold, "coverage": coverage, "risk": risk });
+    object.insert("risk_coverage".into(), risk_coverage.into_iter().map(cut).collect());
+    let bin = |Bin { answers, said, right }: Bin| json!({ "answers": answers, "probability": said, "precision": right });
+    object.insert("reliability".into(), bins.into_iter().map(bin).collect());
     let cells = report.confusion.cells();
     let cells = cells.map(|(task, does, n)| json!({ "task": task, "does": does, "count": n }));
     object.insert("confusion".into(), cells.collect());

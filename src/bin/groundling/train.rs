@@ -3,7 +3,7 @@
 use super::command::{Command, Done, Failure};
 use super::corpora::{examples, model, text, write};
 use super::figures::scores_json;
-use groundling::ccg::{ChartConfig, EntryText};
+use groundling::ccg::{ChartConfig, Doubt, EntryText};
 use groundling::corpus::Example;
 use groundling::learn::{CLEANUP_LEXICON, Config, Evaluation, Taught, Trainer, seed_model, teach};
 use lexopt::ValueExt;
@@ -25,6 +25,8 @@ pub(crate) const COMMAND: Command = Command {
               \x20 --lexical-beam N      edges per span when generating entries (75)\n\
               \x20 --seed N              of the order of examples in each epoch (0)\n\
               \x20 --lexicon FILE        the seed lexicon (that of the whole domain)\n\
+              \x20 --without-idioms      give no whole command a meaning of its own\n\
+              \x20 --doubt MAP           how far its answers can be trusted, as `calibrate` learned it\n\
               \x20 --held-out FILE       score every epoch's model on this corpus\n\
               \x20 --checkpoint FILE     keep a file to go on from, after each epoch\n\
               \x20 --resume FILE         go on from such a file, with the same corpus and settings\n\
@@ -40,6 +42,7 @@ struct Options {
     out: Option<PathBuf>,
     lexicon: Option<PathBuf>,
     held_out: Option<PathBuf>,
+    doubt: Option<PathBuf>,
     checkpoint: Option<PathBuf>,
     resume: Option<PathBuf>,
     into: Option<PathBuf>,
@@ -63,6 +66,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
         Some(path) => examples(std::slice::from_ref(path), options.with_rejected)?,
         None => Vec::new(),
     };
+    let doubt = options.doubt.as_deref().map(doubt_of).transpose()?;
     let started = Instant::now();
     let mut trainer = match &options.resume {
         Some(path) => Trainer::resume(model(path)?, &training, options.config.clone())
@@ -108,7 +112,9 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
     }
     let entries = trainer.model().lexicon.len();
-    write(&out, &trainer.averaged().print())?;
+    let mut model = trainer.averaged();
+    model.doubt = doubt;
+    write(&out, &model.print())?;
     if options.json {
         let report = json!({
             "examples": training.len(), "entries": entries, "epochs": epochs,
@@ -117,6 +123,11 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
         writeln!(io::stdout(), "{report}").map_err(Failure::Output)?;
     }
     Ok(Done::Well)
+}
+
+/// The map of how far answers can be trusted in a file.
+fn doubt_of(path: &Path) -> Result<Doubt, Failure> {
+    Doubt::read(&text(path)?).map_err(|e| Failure::Usage(format!("{}: {e}", path.display())))
 }
 
 /// Teaches a finished model a few examples besides.
@@ -191,6 +202,8 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
             Long("lexical-beam") => {
                 options.config.lexical_beam = at_least_one(&mut arguments, "--lexical-beam")?;
             }
+            Long("doubt") => options.doubt = Some(arguments.value()?.into()),
+            Long("without-idioms") => options.config.idioms = false,
             Long("seed") => options.config.seed = arguments.value()?.parse()?,
             other => return Err(other.unexpected().into()),
         }

@@ -78,6 +78,7 @@ impl Common {
             "json" => self.json = true,
             "with-rejected" => self.with_rejected = true,
             "lexicon" => self.lexicon = Some(arguments.value()?.into()),
+            "without-idioms" => self.config.idioms = false,
             "epochs" => self.config.epochs = at_least_one(arguments, "--epochs")?,
             "seed" => self.config.seed = arguments.value()?.parse()?,
             "jobs" => self.jobs = at_least_one(arguments, "--jobs")? as usize,

@@ -1,0 +1,54 @@
+//! `calibrate`: learns from a model's answers how far they can be trusted.
+
+use super::command::{Command, Done, Failure};
+use super::corpora::{examples, speaker, write};
+use groundling::learn::calibrate::{calibrate, marks};
+use lexopt::ValueExt;
+use std::path::PathBuf;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "calibrate",
+    about: "Learn how far a model's answers can be trusted",
+    usage: "--model MODEL --corpus FILE… [--model MODEL --corpus FILE…] [--precision 0.9] --out MAP",
+    details: "  --model MODEL       a model file, for the corpora behind it\n\
+              \x20 --corpus FILE…      commands that it has not learned from; each file counts alike\n\
+              \x20 --precision P       ask below the probability from which on this share of every file is right\n\
+              \x20 --out MAP           the map, which `train --doubt MAP` puts into a model",
+    run,
+};
+
+fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+    use lexopt::Arg::{Long, Value};
+    let (mut model, mut out, mut corpora) = (None, None, Vec::new());
+    let mut precision = 0.9;
+    let mut in_corpora = false;
+    while let Some(argument) = arguments.next()? {
+        let was_in_corpora = std::mem::replace(&mut in_corpora, true);
+        match argument {
+            Long("corpus") => corpora.push((model.clone(), PathBuf::from(arguments.value()?))),
+            Value(file) if was_in_corpora => corpora.push((model.clone(), file.into())),
+            other => {
+                in_corpora = false;
+                match other {
+                    Long("model") => model = Some(PathBuf::from(arguments.value()?)),
+                    Long("out") => out = Some(PathBuf::from(arguments.value()?)),
+                    Long("precision") => precision = arguments.value()?.parse()?,
+                    other => return Err(other.unexpected().into()),
+                }
+            }
+        }
+    }
+    let missing = |name: &str| Failure::Usage(format!("{name} is missing"));
+    let out = out.ok_or_else(|| missing("--out MAP"))?;
+    if corpora.is_empty() {
+        return Err(missing("--corpus FILE"));
+    }
+    let mut all = Vec::with_capacity(corpora.len());
+    for (model, corpus) in corpora {
+        let mut model = speaker(&model.ok_or_else(|| missing("--model MODEL"))?)?;
+        all.push(marks(&mut model, &examples(&[corpus], false)?));
+    }
+    let lines = calibrate(&all, precision).lines();
+    write(&out, &(lines.join("\n") + "\n"))?;
+    Ok(Done::Well)
+}
