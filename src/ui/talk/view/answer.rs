@@ -25,9 +25,9 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
     let live = state.command.live.is_some();
     let link = state.command.link;
     let asks = question(state, shared).is_some();
-    let is_half =
-        answer.reason.as_deref() == Some("left_out") && (live || shared.document.plan().is_none());
-    let label = match (is_half, live) {
+    let is_half = answer.reason.as_deref() == Some("left_out");
+    let is_offered = is_half && (live || shared.document.plan().is_none());
+    let label = match (is_offered, live) {
         (true, _) => text.it_could,
         (false, true) => text.it_would_mean,
         (false, false) => text.it_means,
@@ -35,7 +35,7 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
     html! {
         <div class="answer" data-testid="answer" data-live={live.to_string()}>
             if !words.is_empty() {
-                <p class="words" lang="en" aria-label={text.the_words}>
+                <p class={classes!("words", is_half.then_some("half"))} lang="en" aria-label={text.the_words}>
                     { for words.iter().enumerate().map(|(place, word)| show(shared.language, place, word, link, act)) }
                 </p>
             }
