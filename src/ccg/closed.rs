@@ -2,10 +2,12 @@
 //! such a word is used with its meaning by an entry of a seed lexicon, or the sentence has no full reading. No learned
 //! entry speaks for one, none goes without meaning, and nothing throws one away with an argument.
 
+use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
 /// What would become of a sentence without the word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Kind {
     /// The opposite: it denies, excludes or goes away.
     Turns,

@@ -65,6 +65,8 @@ pub struct Parse {
     pub readings: Vec<Reading>,
     /// Words that the best reading skips: not empty exactly when the skipping parse answered.
     pub skipped: Vec<String>,
+    /// Their places.
+    pub left_out: Vec<usize>,
     /// Words that the best reading takes for others, the first and one past the last, with what for: misspelt ones, and
     /// those that the lexicon does not know.
     pub heard: Vec<((usize, usize), String)>,
@@ -83,6 +85,7 @@ impl Parse {
             words,
             readings,
             skipped: Vec::new(),
+            left_out: Vec::new(),
             heard: Vec::new(),
             hearing: Hearing::default(),
             reason: None,
@@ -172,18 +175,18 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
         if is_closed && !left_out.is_empty() || left_out.iter().any(is_goal) {
             parse.reason = Some(Reason::LeftOut);
         }
-        parse.skipped = left_out.into_iter().map(|(at, _)| words[at].clone()).collect();
+        parse.left_out = left_out.into_iter().map(|(at, _)| at).collect();
     } else if parse.chart.over_budget {
         parse.reason = Some(Reason::Budget);
     } else if !heard.iter().all(|word| model.lexicon.knows(word)) && !is_closed {
         parse.reason = Some(Reason::UnknownWords);
     } else if is_closed {
-        let lost = words.iter().zip(closed).filter(|(_, closed)| closed.is_some());
-        parse.skipped = lost.map(|(word, _)| word.clone()).collect();
+        parse.left_out = (0..words.len()).filter(|&at| closed[at].is_some()).collect();
         parse.reason = Some(Reason::LeftOut);
     } else {
         parse.reason = Some(Reason::NoParse);
     }
+    parse.skipped = parse.left_out.iter().map(|&at| words[at].clone()).collect();
     parse.heard = taken_for(model, &parse, &hearing, &words);
     (parse.words, parse.hearing) = (words, hearing);
     parse

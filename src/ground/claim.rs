@@ -3,7 +3,7 @@
 
 use super::class::Class;
 use super::denote::meaning;
-use super::predicate::{Meaning, Measure, Property};
+use super::predicate::{Meaning, Measure, Property, Relation};
 use super::shade::Shade;
 use crate::logic::{Node, TermId, Terms, print_human};
 use serde::{Deserialize, Serialize};
@@ -45,6 +45,8 @@ pub enum Noun {
     Robot,
     /// The thing that is being described.
     It,
+    /// The thing around the one that is being described: `the room without a chair in it`.
+    Outer,
     /// Whatever fits a description.
     Described(Box<Description>),
     /// What has no plain words: as people write logic.
@@ -81,13 +83,13 @@ pub enum Article {
 /// What a goal says. What has no plain words stands in it as people write logic: the smallest part that is closed.
 pub fn claim(terms: &Terms, goal: TermId) -> Claim {
     let formula = || Claim::Formula(print_human(terms, goal));
-    Teller { terms, depth: MAX_DEPTH }.claim(goal).unwrap_or_else(formula)
+    Teller { terms, depth: MAX_DEPTH, is_inside: false }.claim(goal).unwrap_or_else(formula)
 }
 
 /// What a term of type `e` is called.
 pub fn noun(terms: &Terms, term: TermId) -> Noun {
     let formula = || Noun::Formula(print_human(terms, term));
-    Teller { terms, depth: MAX_DEPTH }.noun(term).unwrap_or_else(formula)
+    Teller { terms, depth: MAX_DEPTH, is_inside: false }.noun(term).unwrap_or_else(formula)
 }
 
 /// The measure that a term of type `<e,n>` names.
@@ -105,6 +107,8 @@ pub(super) fn measured(terms: &Terms, measure: TermId) -> Option<Measure> {
 struct Teller<'a> {
     terms: &'a Terms,
     depth: usize,
+    /// Whether what is told is of a thing that there is, which may be in a thing that is being described.
+    is_inside: bool,
 }
 
 impl Teller<'_> {
@@ -120,9 +124,18 @@ impl Teller<'_> {
             (Meaning::Or | Meaning::False, any) => Claim::Any(self.each(any)?),
             (Meaning::Not, &[of]) => Claim::Not(Box::new(self.claim(of)?)),
             (Meaning::Exists, &[property]) => {
-                Claim::Exists(Box::new(self.description(Article::A, property)?))
+                let inside = Teller { is_inside: true, ..self };
+                Claim::Exists(Box::new(inside.description(Article::A, property)?))
             }
             (Meaning::Property(_), &[of]) => Claim::Is(self.name(term)?, Box::new(self.noun(of)?)),
+            (Meaning::Relation(Relation::In), &[a, b])
+                if self.is_inside
+                    && self.terms.node(a) == Node::Variable(0)
+                    && self.terms.node(b) == Node::Variable(1) =>
+            {
+                let nouns = Box::new([Noun::It, Noun::Outer]);
+                Claim::Related { relation: self.name(term)?, nouns }
+            }
             (Meaning::Relation(_), &[a, b]) => {
                 let nouns = Box::new([self.noun(a)?, self.noun(b)?]);
                 Claim::Related { relation: self.name(term)?, nouns }
@@ -153,7 +166,7 @@ impl Teller<'_> {
             }
             _ => return None,
         };
-        let described = self.description(article, property)?;
+        let described = Teller { is_inside: false, ..self }.description(article, property)?;
         let agent = ["agent".to_owned()];
         let is_robot = article == Article::The && described.properties == agent;
         Some(match is_robot && described.claims.is_empty() {
@@ -171,6 +184,7 @@ impl Teller<'_> {
         };
         let (mut colors, mut shapes, mut classes, mut claims) = (vec![], vec![], vec![], vec![]);
         for &conjunct in conjuncts {
+            let conjunct = self.own(conjunct);
             match meaning(self.terms, conjunct) {
                 Some((Meaning::Property(own), &[of]))
                     if self.terms.node(of) == Node::Variable(0) =>
@@ -190,6 +204,38 @@ impl Teller<'_> {
         }
         let properties = colors.into_iter().chain(shapes).chain(classes).map(|(_, name)| name);
         Some(Description { article, properties: properties.collect(), claims })
+    }
+
+    /// What a general noun names itself: of "a box, or a block where there is no box", the box. Anything else as it is.
+    fn own(self, term: TermId) -> TermId {
+        let Some((Meaning::Or, any)) = meaning(self.terms, term) else { return term };
+        let property = |part: TermId| match meaning(self.terms, part) {
+            Some((Meaning::Property(property), _)) => Some(property),
+            _ => None,
+        };
+        let denies = |part: TermId, own: Property| match meaning(self.terms, part) {
+            Some((Meaning::Not, &[of])) => match meaning(self.terms, of) {
+                Some((Meaning::Exists, &[of])) => match self.terms.node(of) {
+                    Node::Lambda { body, .. } => property(body) == Some(own),
+                    _ => false,
+                },
+                _ => false,
+            },
+            _ => false,
+        };
+        let is_instead = |part: TermId, own: Property| match meaning(self.terms, part) {
+            Some((Meaning::And, all)) => all.iter().any(|&part| denies(part, own)),
+            _ => false,
+        };
+        let mut names = any.iter().filter_map(|&part| Some((part, property(part)?)));
+        match (names.next(), names.next()) {
+            (Some((name, own)), None)
+                if any.iter().all(|&part| part == name || is_instead(part, own)) =>
+            {
+                name
+            }
+            _ => term,
+        }
     }
 
     fn each(self, terms: &[TermId]) -> Option<Vec<Claim>> {

@@ -2,7 +2,7 @@
 //! evaluated here, in the initial state; a goal's outer part is not (see [`super::goal`]).
 //! Referents of closed phrases are found once.
 
-use super::predicate::{Meaning, predicate};
+use super::predicate::{Meaning, Measure, predicate};
 use super::thing::{Entity, Thing};
 use crate::domain::State;
 use crate::logic::{Node, TermId, Terms};
@@ -87,6 +87,37 @@ impl<'a> Denotation<'a> {
 
     /// The single candidate that is first by a measure.
     fn best(
+        &mut self,
+        candidates: &[usize],
+        (measure, sign): (TermId, i64),
+        env: &mut Env,
+    ) -> Result<usize, Failure> {
+        let measured = |body| match meaning(self.terms, body)? {
+            (Meaning::Measure(measure), _) => Some(measure),
+            _ => None,
+        };
+        if sign > 0
+            && let Node::Lambda { body, .. } = self.terms.node(measure)
+            && let Some(Measure::Shade(_)) = measured(body)
+        {
+            // Only what is like the shade at all can be the most like it, and that may be a single thing.
+            let mut alike = Vec::new();
+            for &at in candidates {
+                env.push(Some(at));
+                alike.extend(self.number(body, env).filter(|&value| value > 0).map(|_| at));
+                env.pop();
+            }
+            return match alike.as_slice() {
+                [only] => Ok(*only),
+                [] => Err(Failure::None),
+                _ => self.first(&alike, (measure, sign), env),
+            };
+        }
+        self.first(candidates, (measure, sign), env)
+    }
+
+    /// The single candidate that is first by a measure, of at least two.
+    fn first(
         &mut self,
         candidates: &[usize],
         (measure, sign): (TermId, i64),

@@ -40,6 +40,7 @@ pub enum Formula {
 pub struct Goal {
     formula: Formula,
     failures: Vec<(TermId, Failure)>,
+    denies_nothing: bool,
 }
 
 /// Why a term is no goal.
@@ -124,13 +125,21 @@ impl Goal {
     pub fn new(terms: &Terms, term: TermId, initial: &State) -> Result<Goal, GoalError> {
         check(terms, term)?;
         let denotation = Denotation::new(terms, initial);
-        let mut binder =
-            Binder { terms, denotation, names: Vec::new(), failures: Vec::new(), nodes: 0 };
+        let mut binder = Binder {
+            terms,
+            denotation,
+            names: Vec::new(),
+            failures: Vec::new(),
+            is_denied: false,
+            denies_nothing: false,
+            nodes: 0,
+        };
         let formula = binder.formula(term, &mut Vec::new())?;
         if binder.denotation.exhausted() {
             return Err(GoalError::TooLarge);
         }
-        Ok(Goal { formula, failures: binder.failures })
+        let Binder { failures, denies_nothing, .. } = binder;
+        Ok(Goal { formula, failures, denies_nothing })
     }
 
     /// Whether a state earns the reward.
@@ -146,6 +155,11 @@ impl Goal {
     /// Its outermost phrases that do not refer in the initial state; each makes its relation false.
     pub fn failures(&self) -> &[(TermId, Failure)] {
         &self.failures
+    }
+
+    /// Whether what it denies speaks of a thing that there is not: what is so by that alone, nobody asked for.
+    pub const fn denies_nothing(&self) -> bool {
+        self.denies_nothing
     }
 }
 
@@ -195,6 +209,9 @@ struct Binder<'a> {
     /// What each variable stands for, beside the environment of places, innermost last.
     names: Vec<Entity>,
     failures: Vec<(TermId, Failure)>,
+    /// Whether what is being bound stands below an odd number of `not`.
+    is_denied: bool,
+    denies_nothing: bool,
     nodes: usize,
 }
 
@@ -211,7 +228,12 @@ impl Binder<'_> {
             (Meaning::True, _) => Formula::constant(true),
             (Meaning::And, all) => Formula::And(self.each(all, env)?),
             (Meaning::Or, any) => Formula::Or(self.each(any, env)?),
-            (Meaning::Not, &[arg]) => Formula::Not(Box::new(self.formula(arg, env)?)),
+            (Meaning::Not, &[arg]) => {
+                self.is_denied = !self.is_denied;
+                let denied = self.formula(arg, env)?;
+                self.is_denied = !self.is_denied;
+                Formula::Not(Box::new(denied))
+            }
             (Meaning::Exists, &[property]) => self.exists(property, env)?,
             (Meaning::Property(property), &[of]) => match self.entity(of, env) {
                 Some(of) => Formula::Property(property, of),
@@ -261,8 +283,11 @@ impl Binder<'_> {
         match self.denotation.referent(term, env) {
             Ok(at) => Some(self.denotation.entity(at)),
             Err(failure) => {
-                if self.terms.free(term) == 0 && !self.failures.iter().any(|(t, _)| *t == term) {
-                    self.failures.push((term, failure));
+                if self.terms.free(term) == 0 {
+                    self.denies_nothing |= self.is_denied;
+                    if !self.failures.iter().any(|(t, _)| *t == term) {
+                        self.failures.push((term, failure));
+                    }
                 }
                 None
             }

@@ -380,7 +380,7 @@ impl<'a> Evaluator<'a> {
 
     fn determine(&mut self, term: TermId, env: &mut Env) -> Option<Option<usize>> {
         let (meaning, args) = self.meaning(term)?;
-        let candidates = self.extension(*args.first()?, Side::Pre, env)?;
+        let mut candidates = self.extension(*args.first()?, Side::Pre, env)?;
         let sign = match meaning {
             Meaning::The if candidates.count_ones() == 1 => {
                 return Some(members(candidates).next());
@@ -390,6 +390,23 @@ impl<'a> Evaluator<'a> {
             Meaning::Argmin => -1,
             _ => return None,
         };
+        if sign > 0
+            && let Node::Lambda { body, .. } = self.terms.node(*args.get(1)?)
+            && let (Meaning::Measure(Measure::Shade(_)), _) = self.meaning(body)?
+        {
+            // Only what is like the shade at all can be the most like it, and that may be a single thing.
+            for at in members(candidates) {
+                env.push(Some(at));
+                let value = self.number(body, env);
+                env.pop();
+                if value?.is_none_or(|value| value <= 0) {
+                    candidates &= !(1 << at);
+                }
+            }
+            if candidates.count_ones() == 1 {
+                return Some(members(candidates).next());
+            }
+        }
         let classes = [Class::Agent, Class::Room, Class::Door, Class::Object];
         let one_class = classes
             .iter()

@@ -1,9 +1,10 @@
 //! A command on its way from words to a plan: parse, ground, plan, each in steps.
 
+use super::choose::choices;
 use super::plan::{Begun, PlanError, Planned, Planning, no_plan};
-use super::protocol::{Answer, PlanProgress, WorldRules};
-use super::read::{parsed, reading, shown, words};
-use crate::ccg::{Model, Parse};
+use super::protocol::{Answer, PlanProgress, Reading, WorldRules};
+use super::read::{parsed, reading, shown, taken, words};
+use crate::ccg::{Model, Parse, probability};
 use crate::domain::State;
 use crate::ground::Goal;
 use std::rc::Rc;
@@ -56,11 +57,12 @@ impl Asking {
         }
     }
 
-    /// Parses, and begins to plan for the best reading.
+    /// Parses, and begins to plan for the best reading, unless there is something to ask first.
     fn read(&mut self, model: &mut Model) -> Asked {
         let parse = parsed(model, &self.command);
         let mut answer = Box::new(answer(model, &parse, &self.command, &self.state));
-        let Some(best) = parse.answer() else { return Asked::Answered(answer, None) };
+        let best = parse.answer().filter(|_| answer.asks.is_empty());
+        let Some(best) = best else { return Asked::Answered(answer, None) };
         let Ok(goal) = Goal::new(&model.grammar.terms, best.form, &self.state) else {
             answer.plan = Some(no_plan(&self.state, "bad_goal"));
             return Asked::Answered(answer, None);
@@ -81,10 +83,16 @@ impl Asking {
 
 /// Everything but the plan.
 pub(super) fn answer(model: &mut Model, parse: &Parse, command: &str, state: &State) -> Answer {
+    let doubt = probability(model, parse);
+    let readings: Vec<Reading> =
+        shown(parse).map(|one| reading(model, parse, one, state)).collect();
     Answer {
         command: command.to_owned(),
         words: words(model, parse),
-        readings: shown(parse).map(|one| reading(model, parse, one, state)).collect(),
+        taken: taken(parse),
+        asks: choices(parse, &readings, doubt.is_some_and(|(_, asks)| asks)),
+        readings,
+        probability: doubt.map(|(probability, _)| probability),
         reason: parse.reason.map(|reason| reason.name().to_owned()),
         plan: None,
     }

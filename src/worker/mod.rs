@@ -7,6 +7,7 @@ mod watch;
 mod world;
 mod read;
 mod ask;
+mod choose;
 pub mod job;
 mod talker;
 mod progress;

@@ -90,7 +90,7 @@ impl Planning {
         rules: &WorldRules,
     ) -> Result<Begun, PlanError> {
         let task = Rc::new(Task::new(goal, state, world(goal, state, rules)?)?);
-        if task.is_impossible() {
+        if goal.denies_nothing() || task.is_impossible() {
             let is_lost = !goal.failures().is_empty();
             let reason = if is_lost { "no_referent" } else { "unreachable" };
             return Ok(Begun::Done(Box::new(no_plan(state, reason))));

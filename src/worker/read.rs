@@ -1,10 +1,10 @@
 //! A parse taken apart for the page: words, readings with their pieces, phrases and cells, and for those who study
 //! them scores and reductions.
 
-use super::protocol::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Word};
+use super::protocol::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Taken, Word};
 use crate::ccg::{
-    self, ChartConfig, Derivation, Explanation, Hearing, Model, Parse, Trace, Traced, alike,
-    composed_words, parse_words,
+    self, ChartConfig, Derivation, Explanation, Hearing, Model, Parse, Reason, Trace, Traced,
+    alike, composed_words, parse_words,
 };
 use crate::domain::{Bounds, State};
 use crate::ground::{self, Class, Entity, Failure, Goal, Thing, claim, noun, phrases};
@@ -31,25 +31,44 @@ pub(super) fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
 pub(super) fn words(model: &Model, parse: &Parse) -> Vec<Word> {
     let best = parse.readings.first().map(|&reading| parse.derivation(reading));
     let absorbed = best.map(|derivation| derivation.absorbed());
-    let Hearing { words: spelt, empty, .. } = Hearing::new(model, &parse.words);
+    let Hearing { words: spelt, closed, .. } = Hearing::new(model, &parse.words);
     let word = |(at, (text, spelt)): (usize, (&String, &String))| {
-        let taken = parse.heard.iter().find(|((start, end), _)| (*start..*end).contains(&at));
-        let heard = taken.map(|(_, name)| name).or((spelt != text).then_some(spelt)).cloned();
-        let knows = model.lexicon.knows(spelt);
+        let heard = (spelt != text).then(|| spelt.clone());
+        let is_out = parse.left_out.contains(&at);
         let fate = match &absorbed {
-            Some(absorbed) if !absorbed.contains(&at) => Fate::Meant,
-            Some(_) if empty[at].is_some() => Fate::Empty,
-            _ if !knows && heard.is_none() => Fate::Unknown,
-            Some(_) => Fate::Skipped,
-            None => Fate::Idle,
+            Some(absorbed) if !is_out && absorbed.contains(&at) => Fate::Empty,
+            Some(_) if !is_out => Fate::Meant,
+            _ if closed[at].is_none() && !model.lexicon.knows(spelt) => Fate::Unknown,
+            None if !is_out => Fate::Idle,
+            _ => Fate::Skipped,
         };
         let near = match fate {
             Fate::Unknown => alike(&model.lexicon, text, MAX_NEAR),
             _ => Vec::new(),
         };
-        Word { text: text.clone(), heard, fate, near }
+        Word { text: text.clone(), heard, fate, closed: closed[at], near }
     };
-    parse.words.iter().zip(&spelt).enumerate().map(word).collect()
+    let mut words: Vec<Word> = parse.words.iter().zip(&spelt).enumerate().map(word).collect();
+    if parse.reason == Some(Reason::LeftOut) && absorbed.is_some() {
+        // What means nothing beside words that are left out was left out with them.
+        let is_out = |word: &Word| !matches!(word.fate, Fate::Meant);
+        for run in words.chunk_by_mut(|a, b| is_out(a) == is_out(b)) {
+            if run.iter().any(|word| word.fate == Fate::Skipped) {
+                let beside = run.iter_mut().filter(|word| word.fate == Fate::Empty);
+                beside.for_each(|word| word.fate = Fate::Skipped);
+            }
+        }
+    }
+    words
+}
+
+/// The words that the best reading takes for others, but for misspelt ones and shades, which are told apart.
+pub(super) fn taken(parse: &Parse) -> Vec<Taken> {
+    let told = |((start, end), name): &((usize, usize), String)| {
+        let own = parse.hearing.words.get(*start..*end).unwrap_or_default();
+        (own.join(" ") != *name).then(|| Taken { words: (*start, *end), name: name.clone() })
+    };
+    parse.heard.iter().filter_map(told).collect()
 }
 
 /// A reading with all that a page can point at.
@@ -114,6 +133,7 @@ fn said(model: &mut Model, trace: Option<&Trace>, goal: TermId, state: &State) -
             noun: noun(&model.grammar.terms, phrase.term),
             words: words.unwrap_or_default(),
             refers,
+            taken: phrase.taken,
             referents: entities.iter().filter_map(thing).map(|&thing| referent(thing)).collect(),
         }
     };

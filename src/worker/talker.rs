@@ -8,11 +8,12 @@ use super::protocol::{Event, MOST_RUNS, PlanText, Program, Request, TrainReport,
 use super::read::{parsed, studies};
 use super::watch::{Rolling, Valuing};
 use super::world;
-use crate::ccg::Model;
+use crate::ccg::{General, Model};
 use crate::domain::State;
 use crate::ground::Goal;
 use crate::logic::{Terms, read};
 use std::rc::Rc;
+use std::sync::Arc;
 
 const NO_PLAN: &str = "There is no plan to go by: ask for something first.";
 
@@ -22,6 +23,7 @@ const NO_MODEL: &str = "There is no model yet: train one, or open a model file."
 #[derive(Default)]
 pub struct Talker {
     model: Option<Model>,
+    words: Option<Arc<General>>,
     planned: Option<Rc<Planned>>,
 }
 
@@ -31,6 +33,12 @@ impl Role for Talker {
     fn begin(&mut self, request: Request) -> Result<Job<Talker>, String> {
         match request {
             Request::OpenModel { text } => Ok(open_model(text)),
+            Request::Words { text } => {
+                let words = General::read(&text).map_err(|error| error.to_string())?;
+                self.words = Some(Arc::new(words));
+                self.attach();
+                say(Event::Words)
+            }
             Request::Read { command, state } => {
                 let model = self.model.as_mut().ok_or(NO_MODEL)?;
                 state.check().map_err(|error| error.to_string())?;
@@ -81,6 +89,7 @@ fn open_model(text: String) -> Job<Talker> {
             Ok(model) => {
                 let report = report(&model, text.clone());
                 talker.model = Some(model);
+                talker.attach();
                 Event::Opened(report)
             }
             Err(error) => Event::Refused { message: format!("This is no model file: {error}.") },
@@ -138,6 +147,13 @@ fn plan(form: &str, state: &State, rules: &WorldRules) -> Result<Job<Talker>, St
 }
 
 impl Talker {
+    /// The model that is open understands what the general resource knows, as far as both are there.
+    fn attach(&mut self) {
+        if let (Some(model), Some(words)) = (&mut self.model, &self.words) {
+            model.attach(words.clone());
+        }
+    }
+
     /// Keeps the policy that was found, and says what it does; a goal that needed no search has none.
     fn keep(&mut self, plan: Box<PlanText>, found: Option<Box<Planning>>) -> Step {
         self.planned = found.map(|planning| planning.into_planned());

@@ -53,6 +53,12 @@ fn reasons_are_told_apart() {
         question("false:t", ""),
         question("(near:<e,<e,t>> x", ""),
         question("red:<e,t>", ""),
+        question(&format!("(not:<t,t> {})", near("basket")), ""),
+        question(
+            &format!("(and:<t*,t> true:t (not:<t,t> (not:<t,t> (not:<t,t> {}))))", near("basket")),
+            "",
+        ),
+        question(&format!("(not:<t,t> {})", near("room")), ""),
     ]
     .concat();
     let output = run("plan", &input);
@@ -65,7 +71,20 @@ fn reasons_are_told_apart() {
     );
     let reasons: Vec<&str> =
         answers.iter().skip(1).map(|a| a["reason"].as_str().unwrap()).collect();
-    assert_eq!(reasons, ["no_referent", "no_referent", "unreachable", "bad_goal", "bad_goal"]);
+    assert_eq!(
+        reasons,
+        [
+            "no_referent",
+            "no_referent",
+            "unreachable",
+            "bad_goal",
+            "bad_goal",
+            // What is not there cannot be kept away from, and several cannot either.
+            "no_referent",
+            "no_referent",
+            "no_referent",
+        ]
+    );
     assert!(answers[4]["message"].as_str().unwrap().starts_with("column "), "{}", answers[4]);
 }
 

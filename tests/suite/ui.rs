@@ -1,5 +1,7 @@
 //! The page's reducer, played without a browser: actions in, state and effects out.
 
+#[path = "ui/doubt.rs"]
+mod doubt;
 #[path = "ui/edit.rs"]
 mod edit;
 #[path = "ui/messages.rs"]
@@ -30,8 +32,8 @@ use groundling::ui::talk::Action as Talk;
 use groundling::ui::talk::why::messages::{Message, messages};
 use groundling::ui::train::Action as Train;
 use groundling::worker::protocol::{
-    Answer, Claim, CorpusReport, Envelope, Event, Fate, Noun, PairText, PlanProgress, PlanText,
-    Program, Reading, Request, RowSummary, TrainReport, VERSION, Why, Word,
+    Answer, Article, Claim, CorpusReport, Description, Envelope, Event, Fate, Noun, PairText,
+    PlanProgress, PlanText, Program, Reading, Request, RowSummary, TrainReport, VERSION, Why, Word,
 };
 
 /// A page and the engines' side of the talk: what was posted and not yet answered.
@@ -57,6 +59,7 @@ impl Page {
         page.hear(Program::Talker, 0, Event::Ready);
         page.act(Action::Fetched(Ok("the model".to_owned())));
         page.answer(Event::Opened(model("the model")));
+        page.act(Action::FetchedWords(Err("status 404".to_owned())));
         page.others.clear();
         page
     }
@@ -172,7 +175,7 @@ pub(crate) fn pair() -> PairText {
 }
 
 pub(crate) fn word(text: &str, fate: Fate) -> Word {
-    Word { text: text.to_owned(), heard: None, fate, near: Vec::new() }
+    Word { text: text.to_owned(), heard: None, fate, closed: None, near: Vec::new() }
 }
 
 /// A reading of a form: "the robot is the robot".
@@ -190,6 +193,18 @@ pub(crate) fn reading(form: &str) -> Reading {
         phrases: Vec::new(),
         cells: Vec::new(),
     }
+}
+
+/// A reading that says where the robot is not to be: "the robot is outside the red room".
+pub(crate) fn outside(form: &str) -> Reading {
+    let room = Noun::Described(Box::new(Description {
+        article: Article::The,
+        properties: vec!["red".to_owned(), "room".to_owned()],
+        claims: Vec::new(),
+    }));
+    let nouns = Box::new([Noun::Robot, room]);
+    let inside = Claim::Related { relation: "in".to_owned(), nouns };
+    Reading { claim: Claim::Not(Box::new(inside)), ..reading(form) }
 }
 
 /// What a planner says that had nothing to think about.
@@ -233,7 +248,10 @@ pub(crate) fn understood(command: &str, plan: Option<PlanText>) -> Answer {
         command: command.to_owned(),
         words: command.split(' ').map(|text| word(text, Fate::Meant)).collect(),
         readings: vec![reading("(f:t)")],
+        taken: Vec::new(),
         reason: None,
+        asks: Vec::new(),
+        probability: None,
         plan,
     }
 }

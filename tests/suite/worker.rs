@@ -2,6 +2,8 @@
 
 #[path = "worker/answers.rs"]
 mod answers;
+#[path = "worker/doubts.rs"]
+mod doubts;
 #[path = "worker/experiments.rs"]
 mod experiments;
 #[path = "worker/messages.rs"]

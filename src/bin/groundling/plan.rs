@@ -134,7 +134,7 @@ fn answer(line: &str) -> Result<Answer, String> {
         rules.movable = goal.movable(&initial);
     }
     let task = Task::new(&goal, &initial, rules).map_err(|e| format!("initial: {e}"))?;
-    if task.is_impossible() {
+    if goal.denies_nothing() || task.is_impossible() {
         let is_lost = !goal.failures().is_empty();
         let reason = if is_lost { "no_referent" } else { "unreachable" };
         return Ok(Answer { value: Some(0.0), ..without(reason) });

@@ -54,4 +54,6 @@ pub enum Action {
     Rang(Timer),
     /// The model that comes with the page is there, or is not; the text says why.
     Fetched(Result<String, String>),
+    /// The general resource for words is there, or is not; the text says why.
+    FetchedWords(Result<String, String>),
 }

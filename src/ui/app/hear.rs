@@ -3,7 +3,7 @@
 use super::state::State;
 use super::wish::grant;
 use crate::ui::page::engines::{self, News};
-use crate::ui::page::model;
+use crate::ui::page::{model, resource};
 use crate::ui::{talk, train};
 use crate::worker::protocol::{Envelope, Event, Program, Request};
 
@@ -44,6 +44,10 @@ fn answered(state: &mut State, request: Request, event: Event) {
         (Request::OpenModel { text }, Event::Opened(report)) => {
             let teach = model::opened(shared, &text, report);
             talk::hear::model_opened(talk, shared, teach);
+        }
+        (Request::Words { text }, event) => {
+            resource::read(shared, text, event == Event::Words);
+            talk::hear::can_hear(talk, shared);
         }
         (Request::OpenModel { .. }, Event::Refused { message }) => model::refused(shared, message),
         (

@@ -9,7 +9,7 @@ use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
 use crate::ui::page::words::Text as Common;
-use crate::ui::page::{engines, model};
+use crate::ui::page::{engines, model, resource};
 use crate::ui::{talk, train};
 use crate::worker::protocol::Program;
 
@@ -64,6 +64,11 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         }
         Action::Rang(Timer::Play(play)) => talk::watch::play::rang(talk, shared, play),
         Action::Fetched(text) => model::fetched(shared, text),
+        Action::FetchedWords(text) => {
+            if resource::fetched(shared, text) {
+                talk::hear::can_hear(talk, shared);
+            }
+        }
     }
     state.shared.take_wanted()
 }

@@ -44,6 +44,13 @@ pub struct Said {
     pub plan: Option<Rc<PlanText>>,
 }
 
+impl Said {
+    /// Whether nothing is done of it before the person says so: there is a question, or something was left out.
+    pub fn asks_first(&self) -> bool {
+        !self.answer.asks.is_empty() || self.answer.reason.is_some()
+    }
+}
+
 /// A model, and where it came from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model {

@@ -14,6 +14,8 @@ pub enum Effect {
     StartTimer(Timer, u32),
     /// Get the model that comes with the page.
     FetchModel,
+    /// Get the general resource that comes with the page: what words that the lexicon does not know may stand for.
+    FetchWords,
     /// The person reads another language.
     SetLanguage(Language),
     /// Make a link that holds a text, show it in the address bar and copy it.

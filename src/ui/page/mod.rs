@@ -13,6 +13,7 @@ pub mod effect;
 pub mod engine;
 pub mod words;
 pub mod shared;
+pub mod resource;
 pub mod model;
 pub mod engines;
 #[cfg(target_arch = "wasm32")]

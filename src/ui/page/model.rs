@@ -3,6 +3,7 @@
 
 use super::document::{Model, Origin};
 use super::effect::Effect;
+use super::resource;
 use super::shared::Shared;
 use super::words::Text;
 use crate::worker::protocol::{Request, TrainReport};
@@ -59,6 +60,7 @@ pub fn trained(shared: &mut Shared, report: TrainReport, corpus: String) -> bool
 /// The engine that answers has opened a model. Whether the lessons there are must be taught to it first.
 pub fn opened(shared: &mut Shared, text: &str, report: TrainReport) -> bool {
     shared.model_notice = None;
+    resource::fetch(shared);
     if shared.document.model.as_ref().is_some_and(|model| model.report.model == text) {
         return false;
     }
@@ -89,6 +91,7 @@ pub fn refused(shared: &mut Shared, message: String) {
 
 /// The engine that answers began anew: it knows no model.
 pub fn restore(shared: &mut Shared) {
+    resource::restore(shared);
     match &shared.document.model {
         Some(model) => {
             let text = model.report.model.clone();

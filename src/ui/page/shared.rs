@@ -7,6 +7,7 @@ use super::engine::{Engine, Health};
 use super::history::History;
 use super::language::Language;
 use super::preferences::{Depth, Preferences};
+use super::resource::Resource;
 use crate::worker::protocol::{Program, Request};
 
 /// What all pages share.
@@ -24,6 +25,8 @@ pub struct Shared {
     pub model_notice: Option<String>,
     /// Where the model that is being opened comes from.
     pub opening: Origin,
+    /// What words that no lexicon knows may stand for.
+    pub words: Resource,
     /// How deep the person looks.
     pub depth: Depth,
     /// The language of the page; commands are in the parser's.
@@ -47,6 +50,7 @@ impl Shared {
             history: History::new(),
             model_notice: None,
             opening: Origin::Shipped,
+            words: Resource::default(),
             depth: Depth::default(),
             language: Language::default(),
             preferences: Preferences::default(),

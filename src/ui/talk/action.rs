@@ -21,6 +21,8 @@ pub enum Action {
     AskExample(String),
     /// Another reading was chosen.
     Choose(usize),
+    /// What the person answered to the question is kept as a lesson.
+    Remember,
     /// Words are pointed at, or no longer.
     Link(Option<Link>),
     /// The goal cells of a reading are to be seen, or no longer.

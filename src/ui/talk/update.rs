@@ -24,6 +24,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::Ask => ask::ask(state, shared),
         Action::AskExample(command) => ask::ask_for(state, shared, command),
         Action::Choose(reading) => ask::choose(state, shared, reading),
+        Action::Remember => learn::remember(state, shared),
         Action::Link(link) => state.command.link = link,
         Action::Preview(reading) => state.command.preview = reading,
         Action::AllReadings => state.command.all_readings = true,

@@ -10,7 +10,7 @@ use crate::domain::{Blueprint, State};
 use serde::{Deserialize, Serialize};
 
 /// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 5;
+pub const VERSION: u32 = 6;
 
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -77,6 +77,12 @@ pub enum Request {
         /// The model file's text.
         text: String,
     },
+    /// Understands words that no lexicon knows by a general resource, with whatever model is open, now and later →
+    /// [`Event::Words`].
+    Words {
+        /// The resource's text.
+        text: String,
+    },
     /// Parses and grounds a command that is being typed, and plans nothing → [`Event::Answer`]. The policy that is
     /// kept stays.
     Read {
@@ -86,7 +92,7 @@ pub enum Request {
         state: State,
     },
     /// Parses, grounds and plans a command → [`Event::Planning`] now and then, then [`Event::Answer`]. The policy is
-    /// kept.
+    /// kept. Where something was left out, or where it is better to ask first, nothing is planned.
     Ask {
         /// The command as typed.
         command: String,
@@ -164,6 +170,7 @@ impl Request {
             | Request::Teach { .. }
             | Request::Experiment { .. } => Some(Program::Learner),
             Request::OpenModel { .. }
+            | Request::Words { .. }
             | Request::Read { .. }
             | Request::Ask { .. }
             | Request::Plan { .. }
@@ -206,6 +213,8 @@ pub enum Event {
     Trained(TrainReport),
     /// There is a model that was opened.
     Opened(TrainReport),
+    /// There is a general resource for words that the lexicon does not know.
+    Words,
     /// The model was taught.
     Taught(Box<TeachReport>),
     /// A command was answered.

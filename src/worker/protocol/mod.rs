@@ -16,10 +16,11 @@ pub use message::{Envelope, Event, Program, Request, VERSION};
 pub use planning::{
     Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
 };
-pub use reading::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Word};
+pub use reading::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Taken, Word};
 pub use wire::{WireError, decode, encode};
 
 // What comes from further down and crosses as it is.
+pub use crate::ccg::closed::Kind as Closed;
 pub use crate::ccg::{EntryText, Explanation, Part};
-pub use crate::ground::{Article, Claim, Description, Noun};
+pub use crate::ground::{Article, Claim, Description, Noun, Shade};
 pub use crate::plan::Why;

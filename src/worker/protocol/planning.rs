@@ -1,6 +1,6 @@
 //! What is said of commands, their goals, and what planning makes of these.
 
-use super::reading::{Reading, Word};
+use super::reading::{Reading, Taken, Word};
 use crate::domain::{Direction, State};
 use crate::plan::Why;
 use serde::{Deserialize, Serialize};
@@ -59,9 +59,17 @@ pub struct Answer {
     pub words: Vec<Word>,
     /// The distinct readings, best first; those tied for best are all there.
     pub readings: Vec<Reading>,
-    /// Why there is no single reading, in the command line's words (`empty`, `too_long`, `unknown_words`, `no_parse`, `tie`, `budget`).
+    /// Words that were taken for others, which they are not spelt like.
+    pub taken: Vec<Taken>,
+    /// Why there is no single reading, in the command line's words (`empty`, `too_long`, `unknown_words`, `no_parse`,
+    /// `tie`, `budget`), or why the best one is not simply done (`left_out`).
     pub reason: Option<String>,
-    /// The plan for the best reading, or why there is none.
+    /// The readings to choose from before anything is done, as places among them, those that refer first; none where
+    /// there is nothing to ask.
+    pub asks: Vec<usize>,
+    /// How likely the best reading is what was meant; nothing where the model cannot say.
+    pub probability: Option<f64>,
+    /// The plan for the best reading, or why there is none; nothing where it was not to be done.
     pub plan: Option<PlanText>,
 }
 

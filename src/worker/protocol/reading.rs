@@ -2,8 +2,9 @@
 //! refer to. Every part knows the words that carried it, as places in [`Answer::words`](super::Answer::words).
 
 use crate::ccg;
+use crate::ccg::closed::Kind as Closed;
 use crate::domain::{Color, Shape, Size};
-use crate::ground::{Claim, Noun};
+use crate::ground::{Claim, Noun, Shade};
 use serde::{Deserialize, Serialize};
 
 /// A word of a command as the parser took it.
@@ -11,12 +12,23 @@ use serde::{Deserialize, Serialize};
 pub struct Word {
     /// The word.
     pub text: String,
-    /// The known word that it was heard as, where it was taken for a misspelling.
+    /// The known word that it was heard as, where it was taken for a misspelling of that.
     pub heard: Option<String>,
     /// What became of it in the best reading.
     pub fate: Fate,
+    /// What it does, if the sentence would not mean the same without it.
+    pub closed: Option<Closed>,
     /// For an unknown word: known words that are spelt nearly alike, nearest first.
     pub near: Vec<String>,
+}
+
+/// Words that were taken for another.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Taken {
+    /// The place of the first, and one past the last.
+    pub words: (usize, usize),
+    /// The word of the lexicon that they were taken for.
+    pub name: String,
 }
 
 /// What became of a word.
@@ -27,7 +39,7 @@ pub enum Fate {
     Meant,
     /// It is known to mean nothing, such as "please".
     Empty,
-    /// It was left out so that the rest could be understood.
+    /// It was left out so that the rest could be understood; without a reading, what would have to be.
     Skipped,
     /// The lexicon has never seen it, and it was left out, or nothing was understood.
     Unknown,
@@ -92,6 +104,8 @@ pub struct Phrase {
     pub refers: Refers,
     /// What it refers to; for one that fails, the things in question.
     pub referents: Vec<Referent>,
+    /// For a phrase that names a shade and refers: the shade, and the colour that was taken for it.
+    pub taken: Option<(Shade, Color)>,
 }
 
 /// Whether a phrase refers to exactly one thing.

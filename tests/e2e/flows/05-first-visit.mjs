@@ -12,7 +12,7 @@ flow('a visitor presses an example, and the robot does it', async (t) => {
   await demo.answered('the example');
   t.equal(await demo.by('command').inputValue(), 'put the yellow block in the biggest room', 'the command');
   t.equal(await demo.plain(), 'The yellow block is in the biggest room.', 'in plain words');
-  await demo.says(/^It understood: The yellow block is in the biggest room\. The plan has \d+ steps\.$/);
+  await demo.says(/^I understood: The yellow block is in the biggest room\. The plan has \d+ steps\.$/);
   const steps = await demo.played();
   t.check(steps > 4, `a plan of ${steps} steps`);
   t.check(/yellow block in the blue room/.test(await demo.world()), await demo.world());

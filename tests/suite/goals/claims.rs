@@ -68,6 +68,7 @@ fn called(noun: &Noun) -> String {
     match noun {
         Noun::Robot => "robot".to_owned(),
         Noun::It => "it".to_owned(),
+        Noun::Outer => "outer".to_owned(),
         Noun::Described(what) => described(what),
         Noun::Formula(text) => format!("`{text}`"),
     }

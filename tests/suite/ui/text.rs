@@ -59,8 +59,105 @@ fn goals_are_said_in_plain_words() {
                 properties: vec!["orange".to_owned(), "bag".to_owned()],
                 claims: vec![related("in", Noun::It, room(Article::The, "red"))],
             })),
-            "There is an orange bag that is in the red room.",
-            "Irgendwo ist ein orangefarbener Beutel, der im roten Raum ist.",
+            "An orange bag is in the red room.",
+            "Ein orangefarbener Beutel ist im roten Raum.",
+        ),
+    ];
+    for (claim, english, german) in cases {
+        assert_eq!(phrases(Language::English).sentence(&claim), english);
+        assert_eq!(phrases(Language::German).sentence(&claim), german);
+    }
+}
+
+#[test]
+fn what_is_denied_and_joined_is_said_in_plain_words() {
+    let the = |properties: &[&str]| described(Article::The, properties, Vec::new());
+    let a = |properties: &[&str], claims| Description {
+        article: Article::A,
+        properties: properties.iter().map(|p| (*p).to_owned()).collect(),
+        claims,
+    };
+    let not = |claim| Claim::Not(Box::new(claim));
+    let room = |claim| described(Article::The, &["room"], vec![claim]);
+    let inside = |noun| related("in", Noun::Robot, noun);
+    let chair_in_it = || a(&["chair"], vec![related("in", Noun::It, Noun::Outer)]);
+    let in_red = || related("in", Noun::It, the(&["red", "room"]));
+    let cases = [
+        (
+            not(inside(the(&["red", "room"]))),
+            "The robot is outside the red room.",
+            "Der Roboter ist nicht im roten Raum.",
+        ),
+        (
+            not(inside(room(related("in", Noun::Robot, Noun::It)))),
+            "The robot is outside the room where the robot is now.",
+            "Der Roboter ist nicht im Raum, in dem der Roboter jetzt ist.",
+        ),
+        (
+            inside(room(not(Claim::Exists(Box::new(chair_in_it()))))),
+            "The robot is in the room without a chair in it.",
+            "Der Roboter ist im Raum, in dem kein Stuhl ist.",
+        ),
+        (
+            inside(room(Claim::Exists(Box::new(chair_in_it())))),
+            "The robot is in the room with a chair in it.",
+            "Der Roboter ist im Raum, in dem ein Stuhl ist.",
+        ),
+        (
+            inside(room(not(related("in", the(&["chair"]), Noun::It)))),
+            "The robot is in the room without the chair in it.",
+            "Der Roboter ist im Raum, in dem der Stuhl nicht ist.",
+        ),
+        (
+            inside(room(not(Claim::Is("red".to_owned(), Box::new(Noun::It))))),
+            "The robot is in the room that is not red.",
+            "Der Roboter ist im Raum, der nicht rot ist.",
+        ),
+        (
+            inside(room(not(related("eq", Noun::It, the(&["red", "room"]))))),
+            "The robot is in the room other than the red room.",
+            "Der Roboter ist im Raum, der nicht der rote Raum ist.",
+        ),
+        (
+            Claim::Any(vec![inside(the(&["red", "room"])), inside(the(&["blue", "room"]))]),
+            "The robot is in the red room or in the blue room.",
+            "Der Roboter ist im roten Raum oder im blauen Raum.",
+        ),
+        (
+            Claim::All(vec![
+                inside(the(&["red", "room"])),
+                not(related("near", Noun::Robot, the(&["box"]))),
+            ]),
+            "The robot is in the red room and not next to the box.",
+            "Der Roboter ist im roten Raum und nicht neben der Kiste.",
+        ),
+        (
+            Claim::All(vec![
+                related("in", the(&["chair"]), the(&["red", "room"])),
+                related("in", the(&["box"]), the(&["red", "room"])),
+            ]),
+            "The chair and the box are in the red room.",
+            "Der Stuhl und die Kiste sind im roten Raum.",
+        ),
+        (
+            not(Claim::Exists(Box::new(a(&["chair"], vec![in_red()])))),
+            "No chair is in the red room.",
+            "Kein Stuhl ist im roten Raum.",
+        ),
+        (
+            not(Claim::Exists(Box::new(a(&["yellow", "box"], vec![not(in_red())])))),
+            "Every yellow box is in the red room.",
+            "Jede gelbe Kiste ist im roten Raum.",
+        ),
+        (
+            not(Claim::Exists(Box::new(a(&["room"], vec![related("in", Noun::Robot, Noun::It)])))),
+            "The robot is in no room.",
+            "Der Roboter ist in keinem Raum.",
+        ),
+        (
+            not(Claim::Exists(Box::new(a(&["room"], Vec::new())))),
+            "There is no room.",
+            "Nirgends ist ein Raum.",
         ),
     ];
     for (claim, english, german) in cases {

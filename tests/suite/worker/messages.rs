@@ -6,12 +6,12 @@ use groundling::domain::{Blueprint, Color, Direction, Shape, Size};
 use groundling::learn::PlannerCost;
 use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
-    Answer, Article, CellValue, Claim, Confused, CorpusReport, CorpusText, Description, EntryText,
-    Envelope, Event, Experiment, ExperimentProgress, ExperimentReport, Explanation, Fate, Figures,
-    Judgement, Lesson, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress, PlanText, Problem,
-    Program, Progress, Reading, Referent, Refers, Request, RowSummary, RunPart, RunReport, Runs,
-    SeedLexicon, Study, TaskFigures, TeachReport, TrainReport, VERSION, ValueMap, Why, WireError,
-    Word, WorldRules, decode, encode,
+    Answer, Article, CellValue, Claim, Closed, Confused, CorpusReport, CorpusText, Description,
+    EntryText, Envelope, Event, Experiment, ExperimentProgress, ExperimentReport, Explanation,
+    Fate, Figures, Judgement, Lesson, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress,
+    PlanText, Problem, Program, Progress, Reading, Referent, Refers, Request, RowSummary, RunPart,
+    RunReport, Runs, SeedLexicon, Shade, Study, Taken, TaskFigures, TeachReport, TrainReport,
+    VERSION, ValueMap, Why, WireError, Word, WorldRules, decode, encode,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use serde::{Serialize, de::DeserializeOwned};
@@ -95,6 +95,7 @@ fn requests() -> Vec<Request> {
         Request::ReadWorld { text: "###\n".to_owned() },
         Request::WriteWorld { state: state.clone() },
         Request::OpenModel { text: "groundling model 1\nend\n".to_owned() },
+        Request::Words { text: "stool\tchair\n".to_owned() },
         Request::Ask { command: "go".to_owned(), state: state.clone(), rules },
         Request::Plan { form: "p:t".to_owned(), state: state.clone(), rules },
         Request::Values { state: state.clone() },
@@ -110,7 +111,7 @@ fn requests() -> Vec<Request> {
 
 #[test]
 fn requests_come_back_from_the_wire() {
-    come_back(&requests(), 17);
+    come_back(&requests(), 18);
 }
 
 #[test]
@@ -145,6 +146,7 @@ fn events_come_back_from_the_wire() {
         words: vec![0, 2],
         refers: Refers::Tie,
         referents: vec![referent],
+        taken: Shade::named("violet").map(|shade| (shade, Color::Blue)),
     };
     let node = Node {
         words: (0, 1),
@@ -202,13 +204,18 @@ fn events_come_back_from_the_wire() {
             text: "gp".to_owned(),
             heard: Some("go".to_owned()),
             fate: Fate::Unknown,
+            closed: Some(Closed::Turns),
             near: vec!["go".to_owned()],
         }],
         readings: vec![reading],
+        taken: vec![Taken { words: (0, 1), name: "go".to_owned() }],
         reason: Some("tie".to_owned()),
+        asks: vec![0],
+        probability: Some(0.5),
         plan: Some(plan.clone()),
     };
-    let without = Answer { readings: vec![], reason: None, plan: None, ..answer.clone() };
+    let without =
+        Answer { readings: vec![], reason: None, probability: None, plan: None, ..answer.clone() };
     let row = RowSummary { command: "go".to_owned(), task: Some("room".to_owned()), pairs: 3 };
     let column = Some("Input.pre_1".to_owned());
     let problem = Problem { line: 2, column, message: "mend it".to_owned(), kept: true };
@@ -287,6 +294,7 @@ fn events_come_back_from_the_wire() {
             added: vec![entry.clone()],
             understood: vec![true],
         })),
+        Event::Words,
         Event::Explained(vec![Study {
             explanation: Explanation { score: 0.1, parts: vec![part], entries: vec![entry] },
             reductions: vec![vec!["p".to_owned()]],
@@ -303,5 +311,5 @@ fn events_come_back_from_the_wire() {
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
     ];
-    come_back(&messages, 22);
+    come_back(&messages, 23);
 }

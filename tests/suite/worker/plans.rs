@@ -169,6 +169,11 @@ fn what_cannot_be_planned_or_asked_is_refused_in_words() {
     let lost = only(pump(&mut engine, 1, request(&IN_BLUE.replace("blue", "green"), SURE)));
     let Event::Planned(plan) = lost else { panic!("{lost:?}") };
     assert_eq!((plan.reason.as_deref(), plan.work), (Some("no_referent"), None));
+    // What there is not cannot be kept away from: that is no success.
+    let form = format!("(not:<t,t> {})", IN_BLUE.replace("blue", "green"));
+    let lost = only(pump(&mut engine, 1, request(&form, SURE)));
+    let Event::Planned(plan) = lost else { panic!("{lost:?}") };
+    assert_eq!((plan.reason.as_deref(), plan.reached), (Some("no_referent"), false));
     assert_eq!(refused(&mut engine, Request::RollOut { runs: 1, seed: 0 }), no_plan);
     planned(&mut engine, IN_BLUE, SURE);
     let mut other = world();

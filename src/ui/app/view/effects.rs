@@ -22,6 +22,9 @@ const SCRIPT: &str = "engine.js";
 /// The model that comes with the page, beside it.
 const MODEL: &str = "cleanup.model";
 
+/// The general resource for words, beside it.
+const WORDS: &str = "words.txt";
+
 /// Carries effects out, and tells the page what comes of them.
 pub(super) struct Effects {
     act: Callback<Action>,
@@ -86,13 +89,21 @@ impl Effects {
                     act.emit(Action::Fetched(text));
                 });
             }
+            Effect::FetchWords => {
+                let act = self.act.clone();
+                spawn_local(async move {
+                    let text = fetch(WORDS).await.map_err(|error| host::words(&error));
+                    act.emit(Action::FetchedWords(text));
+                });
+            }
             Effect::SetLanguage(language) => host::set_language(language.code()),
             Effect::Share(text) => address::share(text, self.act.clone()),
             Effect::Copy(text) => {
                 let act = self.act.clone();
                 spawn_local(async move { act.emit(Action::Copied(host::copy(&text).await)) });
             }
-            Effect::Focus(id) => host::focus(id),
+            // The element may be in what is about to be drawn.
+            Effect::Focus(id) => spawn_local(async move { host::focus(id) }),
             Effect::Save { name, text } => save(&name, &text)?,
         }
         Ok(())

@@ -1,54 +1,25 @@
 //! English grammar: goals, things, cells and changes in English sentences.
 
+use super::english_claims;
 use super::phrases::{Phrases, Spot, spot};
 use crate::domain::{Color, Lock, Object, Shape, Size, State};
 use crate::ui::page::place::Place;
-use crate::worker::protocol::{Article, Claim, Description, Noun, Phrase, Referent, Refers};
+use crate::worker::protocol::{Claim, Noun, Phrase, Referent, Refers};
 
 /// The grammar.
 pub struct English;
 
 impl Phrases for English {
     fn claim(&self, claim: &Claim) -> String {
-        match claim {
-            Claim::All(all) => all.iter().map(|c| self.claim(c)).collect::<Vec<_>>().join(", and "),
-            Claim::Any(all) => all.iter().map(|c| self.claim(c)).collect::<Vec<_>>().join(", or "),
-            Claim::Not(inner) => match &**inner {
-                Claim::Related { relation, nouns } => {
-                    let [first, second] = &**nouns;
-                    format!(
-                        "{} is not {} {}",
-                        self.noun(first),
-                        relation_words(relation),
-                        self.noun(second)
-                    )
-                }
-                other => format!("it is not so that {}", self.claim(other)),
-            },
-            Claim::Related { relation, nouns } => {
-                let [first, second] = &**nouns;
-                format!(
-                    "{} is {} {}",
-                    self.noun(first),
-                    relation_words(relation),
-                    self.noun(second)
-                )
-            }
-            Claim::Is(property, noun) => {
-                format!("{} is {}", self.noun(noun), property_words(property))
-            }
-            Claim::Exists(description) => format!("there is {}", described(self, description)),
-            Claim::Formula(formula) => format!("this holds: {formula}"),
-        }
+        english_claims::claim(claim)
+    }
+
+    fn keeps(&self, claim: &Claim) -> Option<String> {
+        english_claims::keeps(claim)
     }
 
     fn noun(&self, noun: &Noun) -> String {
-        match noun {
-            Noun::Robot => "the robot".to_owned(),
-            Noun::It => "it".to_owned(),
-            Noun::Described(description) => described(self, description),
-            Noun::Formula(formula) => formula.clone(),
-        }
+        english_claims::noun(noun)
     }
 
     fn failure(&self, phrase: &Phrase) -> String {
@@ -181,84 +152,6 @@ impl Phrases for English {
 
     fn robot_here(&self, state: &State) -> String {
         format!("the robot, facing {}", state.agent.direction)
-    }
-}
-
-fn described(english: &English, description: &Description) -> String {
-    let Description { article, properties, claims } = description;
-    let (mut adjectives, mut nouns): (Vec<&str>, Vec<&str>) =
-        properties.iter().map(String::as_str).partition(|p| p.parse::<Color>().is_ok());
-    if nouns.is_empty() {
-        nouns.push("thing");
-    }
-    let noun = nouns.into_iter().map(property_words).collect::<Vec<_>>().join(" and ");
-    match article {
-        Article::Biggest => adjectives.insert(0, "biggest"),
-        Article::Smallest => adjectives.insert(0, "smallest"),
-        Article::Closest(shade) => adjectives.insert(0, shade.name()),
-        Article::A | Article::The => {}
-    }
-    adjectives.push(&noun);
-    let phrase = adjectives.join(" ");
-    let article = match article {
-        Article::A if phrase.starts_with(['a', 'e', 'i', 'o', 'u']) => "an",
-        Article::A => "a",
-        _ => "the",
-    };
-    let after: Vec<String> = claims.iter().map(|claim| relative(english, claim)).collect();
-    let after = if after.is_empty() { String::new() } else { format!(" {}", after.join(" and ")) };
-    format!("{article} {phrase}{after}")
-}
-
-/// A claim about the thing at hand, behind its noun.
-fn relative(english: &English, claim: &Claim) -> String {
-    match claim {
-        Claim::Related { relation, nouns } => match (&**nouns, relation.as_str()) {
-            ([Noun::It, other], relation) => {
-                format!("that is {} {}", relation_words(relation), english.noun(other))
-            }
-            ([other, Noun::It], "in") => format!("that has {} in it", english.noun(other)),
-            ([other, Noun::It], "left") => {
-                format!("that is right of {}", english.noun(other))
-            }
-            ([other, Noun::It], "right") => {
-                format!("that is left of {}", english.noun(other))
-            }
-            ([other, Noun::It], relation) => {
-                format!("that is {} {}", relation_words(relation), english.noun(other))
-            }
-            _ => format!("for which {}", english.claim(claim)),
-        },
-        Claim::Is(property, noun) if **noun == Noun::It => {
-            format!("that is {}", property_words(property))
-        }
-        Claim::Not(inner) => match &**inner {
-            Claim::Related { relation, nouns } if nouns[0] == Noun::It => {
-                format!("that is not {} {}", relation_words(relation), english.noun(&nouns[1]))
-            }
-            Claim::Is(property, noun) if **noun == Noun::It => {
-                format!("that is not {}", property_words(property))
-            }
-            _ => format!("for which {}", english.claim(claim)),
-        },
-        _ => format!("for which {}", english.claim(claim)),
-    }
-}
-
-fn relation_words(relation: &str) -> &str {
-    match relation {
-        "near" => "next to",
-        "left" => "left of",
-        "right" => "right of",
-        "eq" => "the same as",
-        other => other,
-    }
-}
-
-fn property_words(property: &str) -> &str {
-    match property {
-        "agent" => "robot",
-        other => other,
     }
 }
 

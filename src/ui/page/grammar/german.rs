@@ -1,46 +1,28 @@
 //! German grammar: goals, things, cells and changes in German sentences.
 
-use super::german_words::Case::{self, Dative, Nominative};
-use super::german_words::Gender::{self, Feminine, Masculine, Neuter};
-use super::german_words::{adjective, article, compass, definite, indefinite, property};
+use super::german_claims;
+use super::german_words::Case::Nominative;
+use super::german_words::Gender::{Feminine, Masculine, Neuter};
+use super::german_words::{adjective, compass, definite, property};
 use super::phrases::{Phrases, Spot, capitalised, spot};
 use crate::domain::{Color, Lock, Object, Shape, Size, State};
 use crate::ui::page::place::Place;
-use crate::worker::protocol::{Article, Claim, Description, Noun, Phrase, Referent, Refers};
+use crate::worker::protocol::{Claim, Noun, Phrase, Referent, Refers};
 
 /// The grammar.
 pub struct German;
 
 impl Phrases for German {
     fn claim(&self, claim: &Claim) -> String {
-        match claim {
-            Claim::All(all) => all.iter().map(|c| self.claim(c)).collect::<Vec<_>>().join(", und "),
-            Claim::Any(all) => {
-                all.iter().map(|c| self.claim(c)).collect::<Vec<_>>().join(", oder ")
-            }
-            Claim::Not(inner) => match &**inner {
-                Claim::Related { relation, nouns } => {
-                    let [first, second] = &**nouns;
-                    format!("{} ist nicht {}", noun(first, Nominative), related(relation, second))
-                }
-                other => format!("es gilt nicht: {}", self.claim(other)),
-            },
-            Claim::Related { relation, nouns } => {
-                let [first, second] = &**nouns;
-                format!("{} ist {}", noun(first, Nominative), related(relation, second))
-            }
-            Claim::Is(property, thing) => {
-                format!("{} ist {}", noun(thing, Nominative), adjective(property))
-            }
-            Claim::Exists(description) => {
-                format!("irgendwo ist {}", described(description, Nominative))
-            }
-            Claim::Formula(formula) => format!("es gilt: {formula}"),
-        }
+        german_claims::claim(claim)
+    }
+
+    fn keeps(&self, claim: &Claim) -> Option<String> {
+        german_claims::keeps(claim)
     }
 
     fn noun(&self, thing: &Noun) -> String {
-        noun(thing, Nominative)
+        german_claims::noun(thing, Nominative)
     }
 
     fn failure(&self, phrase: &Phrase) -> String {
@@ -189,92 +171,5 @@ impl Phrases for German {
 
     fn robot_here(&self, state: &State) -> String {
         format!("der Roboter, schaut nach {}", compass(state.agent.direction))
-    }
-}
-
-fn noun(thing: &Noun, case: Case) -> String {
-    match thing {
-        Noun::Robot => definite(&[], "Roboter", Masculine, case),
-        Noun::It => "es".to_owned(),
-        Noun::Described(description) => described(description, case),
-        Noun::Formula(formula) => formula.clone(),
-    }
-}
-
-/// "neben dem roten Stuhl"
-fn related(relation: &str, other: &Noun) -> String {
-    let other = noun(other, Dative);
-    match relation {
-        "in" => match other.strip_prefix("dem ") {
-            Some(rest) => format!("im {rest}"),
-            None => format!("in {other}"),
-        },
-        "near" => format!("neben {other}"),
-        "left" => format!("links von {other}"),
-        "right" => format!("rechts von {other}"),
-        _ => format!("dasselbe wie {other}"),
-    }
-}
-
-fn described(description: &Description, case: Case) -> String {
-    let Description { article, properties, claims } = description;
-    let (colors, nouns): (Vec<&str>, Vec<&str>) =
-        properties.iter().map(String::as_str).partition(|p| p.parse::<Color>().is_ok());
-    let (word, gender) = nouns.first().map_or(("Ding", Neuter), |noun| property(noun));
-    let others = nouns.iter().skip(1).map(|noun| format!(" und {}", property(noun).0));
-    let word = format!("{word}{}", others.collect::<String>());
-    let mut adjectives: Vec<&str> = match article {
-        Article::Biggest => vec!["größt"],
-        Article::Smallest => vec!["kleinst"],
-        Article::A | Article::The | Article::Closest(_) => Vec::new(),
-    };
-    adjectives.extend(colors.into_iter().map(adjective));
-    let phrase = match article {
-        Article::A => indefinite(&adjectives, &word, gender, case),
-        _ => definite(&adjectives, &word, gender, case),
-    };
-    // The shades have English names only.
-    let shade = match (article, gender) {
-        (Article::Closest(shade), Feminine) => Some(("deren", shade.name())),
-        (Article::Closest(shade), _) => Some(("dessen", shade.name())),
-        _ => None,
-    };
-    let shade = shade.map(|(whose, name)| format!("{whose} Farbe „{name}“ am nächsten kommt"));
-    let claims = claims.iter().map(|claim| relative(claim, gender));
-    let after: Vec<String> = shade.into_iter().chain(claims).collect();
-    if after.is_empty() { phrase } else { format!("{phrase}, {}", after.join(" und ")) }
-}
-
-/// A claim about the thing at hand, behind its noun: "der im roten Raum ist".
-fn relative(claim: &Claim, gender: Gender) -> String {
-    let pronoun = article(gender, Nominative);
-    match claim {
-        Claim::Related { relation, nouns } => match (&**nouns, relation.as_str()) {
-            ([Noun::It, other], relation) => {
-                format!("{pronoun} {} ist", related(relation, other))
-            }
-            ([other, Noun::It], "in") => {
-                format!("in {} {} ist", article(gender, Dative), noun(other, Nominative))
-            }
-            ([other, Noun::It], "left") => format!("{pronoun} {} ist", related("right", other)),
-            ([other, Noun::It], "right") => format!("{pronoun} {} ist", related("left", other)),
-            ([other, Noun::It], relation) => {
-                format!("{pronoun} {} ist", related(relation, other))
-            }
-            _ => format!("wofür gilt: {}", German.claim(claim)),
-        },
-        Claim::Is(property, thing) if **thing == Noun::It => {
-            format!("{pronoun} {} ist", adjective(property))
-        }
-        Claim::Not(inner) => match &**inner {
-            Claim::Related { relation, nouns } if nouns[0] == Noun::It => {
-                format!("{pronoun} nicht {} ist", related(relation, &nouns[1]))
-            }
-            Claim::Is(property, thing) if **thing == Noun::It => {
-                format!("{pronoun} nicht {} ist", adjective(property))
-            }
-            _ => format!("wofür gilt: {}", German.claim(claim)),
-        },
-        _ => format!("wofür gilt: {}", German.claim(claim)),
     }
 }

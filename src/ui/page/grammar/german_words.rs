@@ -48,6 +48,19 @@ pub(super) fn indefinite(adjectives: &[&str], word: &str, gender: Gender, case: 
     format!("{article} {adjectives}{word}")
 }
 
+/// "jeder rote Stuhl", "jedem roten Stuhl"
+pub(super) fn every(adjectives: &[&str], word: &str, gender: Gender, case: Case) -> String {
+    let phrase = definite(adjectives, word, gender, case);
+    let rest = phrase.get(3..).unwrap_or_default();
+    let article = match (gender, case) {
+        (Masculine, Nominative) | (Feminine, Dative) => "jeder",
+        (Feminine, Nominative) => "jede",
+        (Neuter, Nominative) => "jedes",
+        (_, Dative) => "jedem",
+    };
+    format!("{article}{rest}")
+}
+
 /// A class or a shape with its gender.
 pub(super) fn property(name: &str) -> (&'static str, Gender) {
     match name {

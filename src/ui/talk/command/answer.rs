@@ -1,15 +1,18 @@
 //! What the engine answered: while a command is typed, when it was sent, and for another reading.
 
+use super::ask::question;
+use super::state::CHOICES;
 use super::study;
 use crate::domain::State as World;
 use crate::ui::page::document::Said;
+use crate::ui::page::effect::Effect;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::state::State;
 use crate::ui::talk::watch::playback::Playback;
 use crate::ui::talk::watch::values;
 use crate::ui::talk::why::messages::messages;
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::{Answer, PlanText};
+use crate::worker::protocol::{Answer, PlanText, Reading};
 use std::rc::Rc;
 
 /// What was typed has been read; it may have been sent meanwhile.
@@ -47,16 +50,34 @@ fn planned(state: &mut State, shared: &mut Shared) {
     play(state, shared);
     values::look(state, shared);
     let text = Text::of(shared.language);
-    let messages = messages(state, shared);
-    let words = match (messages.first(), &state.watch.playback, shared.document.reading()) {
-        (Some(message), ..) => format!("{} {}", message.what, message.fix),
-        (None, Some(plan), Some(reading)) => {
-            format!("{} {}", text.understood(&reading.claim), (text.has_steps)(plan.steps()))
+    let mut words: Vec<String> = messages(state, shared)
+        .iter()
+        .map(|message| format!("{} {}", message.what, message.fix).trim_end().to_owned())
+        .collect();
+    if let Some(asks) = question(state, shared) {
+        words.extend(asked(text, shared, asks));
+        shared.want(Effect::Focus(CHOICES[0]));
+    } else if let Some(reading) = shared.document.reading() {
+        if words.is_empty() || state.watch.playback.is_some() {
+            words.push(text.understood(&reading.claim));
         }
-        (None, _, Some(reading)) => text.understood(&reading.claim),
-        (None, ..) => String::new(),
+        words.extend(state.watch.playback.iter().map(|plan| (text.has_steps)(plan.steps())));
+    }
+    shared.say(words.join(" "));
+}
+
+/// A question as it is read aloud.
+fn asked(text: &Text, shared: &Shared, asks: &[usize]) -> Vec<String> {
+    let readings = shared
+        .document
+        .said
+        .iter()
+        .flat_map(|said| asks.iter().filter_map(|&at| said.answer.readings.get(at)));
+    let choice = |(number, reading): (usize, &Reading)| {
+        format!("{number}: {}", text.phrases.sentence(&reading.claim))
     };
-    shared.say(words);
+    let head = text.which(asks.len()).to_owned();
+    std::iter::once(head).chain((1..).zip(readings).map(choice)).collect()
 }
 
 /// Begins to play the plan of the reading that is chosen, if there is one; the world goes on from its end.

@@ -13,6 +13,13 @@ pub fn is_asking(shared: &Shared) -> bool {
     shared.talker.is_at(|r| matches!(r, Request::Ask { .. } | Request::Plan { .. }))
 }
 
+/// The readings to choose from, as places, while the last command waits for that.
+pub fn question<'a>(state: &State, shared: &'a Shared) -> Option<&'a [usize]> {
+    let said = shared.document.said.as_ref().filter(|said| said.plan.is_none())?;
+    let is_open = state.command.live.is_none() && !is_asking(shared);
+    Some(&said.answer.asks[..]).filter(|asks| is_open && !asks.is_empty())
+}
+
 /// Another command stands in the box.
 pub(crate) fn typed(state: &mut State, shared: &mut Shared, command: &str) {
     state.command.input = command.chars().take(MOST_CHARACTERS).collect();
@@ -91,7 +98,9 @@ fn request(
     make: impl FnOnce(World, WorldRules) -> Request,
 ) {
     // What waits is about the plan before.
-    shared.talker.retain(|request| matches!(request, Request::OpenModel { .. }));
+    shared
+        .talker
+        .retain(|request| matches!(request, Request::OpenModel { .. } | Request::Words { .. }));
     state.watch.begin(shared.clock);
     let request = make(shared.document.world.clone(), shared.document.rules);
     shared.send(request, true);

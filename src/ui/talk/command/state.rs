@@ -12,6 +12,9 @@ pub const EXAMPLES: [&str; 4] = [
     "walk next to the block",
 ];
 
+/// The elements that a question's choices are, in their order.
+pub const CHOICES: [&str; 3] = ["choice-1", "choice-2", "choice-3"];
+
 /// Characters that a command may have; the engine says so of those with too many words.
 pub const MOST_CHARACTERS: usize = 1_000;
 

@@ -1,6 +1,7 @@
 //! A closer look at an answer: what its scores are made of, and the reading that it had in a session that was opened.
 
 use super::ask;
+use crate::ui::page::document::Said;
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::state::State;
@@ -24,7 +25,8 @@ pub(crate) fn look_closer(state: &mut State, shared: &mut Shared) {
     let wanted = state.resume.form.take();
     let readings = shared.document.said.iter().flat_map(|said| said.answer.readings.iter());
     let place = wanted.and_then(|form| readings.clone().position(|reading| reading.form == form));
-    if let Some(place) = place.filter(|&place| place > 0) {
+    let asks_first = shared.document.said.as_ref().is_some_and(Said::asks_first);
+    if let Some(place) = place.filter(|&place| place > 0 || asks_first) {
         ask::choose(state, shared, place);
     }
 }

@@ -5,6 +5,7 @@ use super::session::Session;
 use super::state::{Link, Resume, Sharing};
 use crate::ui::page::effect::Effect;
 use crate::ui::page::model;
+use crate::ui::page::resource::Resource;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::ask;
 use crate::ui::talk::state::State;
@@ -66,7 +67,8 @@ fn open(state: &mut State, shared: &mut Shared, session: Session) {
 
 /// Goes on with a session that was opened, as far as there is a model for it.
 pub(crate) fn resume(state: &mut State, shared: &mut Shared) {
-    if !shared.can_ask() {
+    // A command may be of words that only the general resource knows.
+    if !shared.can_ask() || shared.words == Resource::Coming {
         return;
     }
     if let Some(lessons) = state.resume.lessons.take() {

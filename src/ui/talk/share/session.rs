@@ -31,7 +31,7 @@ pub struct Session {
     /// The command.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub command: Option<String>,
-    /// The reading that was chosen, unless it is the best.
+    /// The reading that was chosen, unless it is the best and was done without asking.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub form: Option<String>,
     /// How deep one looked.
@@ -70,7 +70,9 @@ impl Session {
     /// The session of what there is; `whole` takes the model along.
     pub fn of(shared: &Shared, whole: bool) -> Session {
         let Document { said, base, rules, world, .. } = &shared.document;
-        let chosen = said.as_ref().filter(|said| said.chosen > 0);
+        let chosen = said.as_ref();
+        let chosen =
+            chosen.filter(|said| said.chosen > 0 || said.asks_first() && said.plan.is_some());
         let form =
             chosen.and_then(|said| Some(said.answer.readings.get(said.chosen)?.form.clone()));
         let own = base.as_ref().filter(|model| model.origin != Origin::Shipped);

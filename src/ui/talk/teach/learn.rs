@@ -52,6 +52,26 @@ pub(crate) fn teach(state: &mut State, shared: &mut Shared) {
     learn(state, shared, all);
 }
 
+/// The command that the person answered a question about, as a lesson: from where it was said to where its plan ends.
+/// Nothing where the plan changes nothing, or that was learned already.
+pub fn answered(shared: &Shared) -> Option<Lesson> {
+    let said = shared.document.said.as_ref().filter(|said| !said.answer.asks.is_empty())?;
+    let plan = said.plan.as_ref().filter(|plan| plan.reached && !plan.actions.is_empty())?;
+    let lesson = Draft { before: (*said.world).clone(), after: plan.states.last()?.clone() }
+        .lesson(said.answer.command.clone());
+    let is_new = shared.document.lessons.iter().all(|known| known.lesson != lesson);
+    is_new.then_some(lesson)
+}
+
+/// Keeps that as a lesson.
+pub(crate) fn remember(state: &mut State, shared: &mut Shared) {
+    if let Some(lesson) = answered(shared) {
+        let mut all = shared.document.taught();
+        all.push(lesson);
+        learn(state, shared, all);
+    }
+}
+
 /// Forgets the lesson at a place.
 pub(crate) fn unteach(state: &mut State, shared: &mut Shared, place: usize) {
     let mut lessons = shared.document.taught();

@@ -1,37 +1,57 @@
 //! What a command was taken to mean: its words, the goal in plain words, and why nothing came of it, with help.
 
+use super::choices::choices;
 use crate::ui::page::language::Language;
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::notice::notice;
 use crate::ui::talk::action::Action;
+use crate::ui::talk::command::ask::question;
 use crate::ui::talk::command::link::{Link, holds};
+use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
+use crate::ui::talk::teach::learn::{answered, is_teaching};
 use crate::ui::talk::why::help::Help;
 use crate::ui::talk::why::messages::{Message, messages};
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::{Answer, Fate, Word};
+use crate::worker::protocol::{Fate, Word};
 use yew::{Callback, Html, classes, html};
 
 /// The answer to the command.
 pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
-    let Some(Answer { words, .. }) = state.heard(shared) else { return Html::default() };
+    let Some(answer) = state.heard(shared) else { return Html::default() };
+    let words = &answer.words;
     // Whether this is of a command that is being typed.
     let live = state.command.live.is_some();
     let link = state.command.link;
+    let asks = question(state, shared).is_some();
+    let is_half = answer.reason.as_deref() == Some("left_out");
+    let is_offered = is_half && (live || shared.document.plan().is_none());
+    let label = match (is_offered, live) {
+        (true, _) => text.it_could,
+        (false, true) => text.it_would_mean,
+        (false, false) => text.it_means,
+    };
     html! {
         <div class="answer" data-testid="answer" data-live={live.to_string()}>
             if !words.is_empty() {
-                <p class="words" lang="en" aria-label={text.the_words}>
+                <p class={classes!("words", is_half.then_some("half"))} lang="en" aria-label={text.the_words}>
                     { for words.iter().enumerate().map(|(place, word)| show(shared.language, place, word, link, act)) }
                 </p>
             }
-            if let Some(reading) = state.heard_reading(shared) {
+            if let Some(reading) = state.heard_reading(shared).filter(|_| !asks) {
                 <p class="understood" data-testid="understood">
-                    <span class="dim">{ if live { text.it_would_mean } else { text.it_means } }</span>
+                    <span class="dim">{ label }</span>
                     <strong data-testid="plain">{ text.phrases.sentence(&reading.claim) }</strong>
                 </p>
             }
             { for messages(state, shared).iter().map(|message| tell(text, message, words, act)) }
+            { choices(state, shared, act) }
+            if !live && answered(shared).is_some() {
+                <button type="button" class="quiet remember" data-testid="remember" disabled={is_teaching(shared)}
+                    onclick={act.reform(|_| Action::Remember)}>{ text.remember }</button>
+            }
+            if state.room.mode == Mode::Watch { { notice(state.teach.notice.as_deref(), "teach-notice") } }
         </div>
     }
 }
@@ -69,7 +89,7 @@ fn show(
 
 fn tell(text: &Text, message: &Message, words: &[Word], act: &Callback<Action>) -> Html {
     html! {
-        <div class="notice" data-testid="why" data-kind={message.kind}>
+        <div class={if message.kind == "taken" { "dim" } else { "notice" }} data-testid="why" data-kind={message.kind}>
             <p><strong>{ &message.what }</strong>{" "}{ &message.fix }</p>
             if !message.helps.is_empty() {
                 <p class="buttons">
@@ -92,6 +112,7 @@ fn tell(text: &Text, message: &Message, words: &[Word], act: &Callback<Action>) 
 const fn kind(help: &Help) -> &'static str {
     match help {
         Help::Say(..) => "say",
+        Help::Just(_) => "just",
         Help::Teach => "teach",
         Help::Show(_) => "show",
         Help::Add(_) => "add",

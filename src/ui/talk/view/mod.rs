@@ -3,6 +3,7 @@
 mod share;
 mod command;
 mod answer;
+mod choices;
 mod room;
 mod stage;
 mod canvas;

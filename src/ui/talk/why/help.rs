@@ -2,12 +2,15 @@
 
 use crate::ui::talk::command::link::Link;
 use crate::ui::talk::room::edit::Look;
+use crate::worker::protocol::Claim;
 
 /// What the page can do about a message.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Help {
     /// Says a word in place of others, and asks again: the places of the words, and what to say.
     Say(Link, String),
+    /// Does what was understood, and no more.
+    Just(Claim),
     /// Shows what the command means.
     Teach,
     /// Points at words, and at what is in question in the room.

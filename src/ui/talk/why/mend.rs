@@ -25,6 +25,7 @@ pub(crate) fn mend(state: &mut State, shared: &mut Shared, help: Help) {
                 ask::ask_for(state, shared, words.join(" "));
             }
         }
+        Help::Just(_) => ask::choose(state, shared, 0),
         Help::Teach => {
             let command = command(state, shared);
             hand::set_mode(state, shared, Mode::Teach);

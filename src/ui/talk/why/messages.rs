@@ -5,12 +5,13 @@ use super::help::Help;
 use crate::domain::{Color, Lock, Shape};
 use crate::ui::page::document::Said;
 use crate::ui::page::shared::Shared;
+use crate::ui::talk::command::ask::is_asking;
 use crate::ui::talk::command::link::{self, Link};
 use crate::ui::talk::room::edit::Look;
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::{
-    Answer, Article, Fate, Noun, Phrase, PlanText, Reading, Referent, Refers,
+    Answer, Article, Closed, Fate, Noun, Phrase, PlanText, Reading, Referent, Refers, Word,
 };
 
 /// Help that is offered at most so often for one phrase.
@@ -37,9 +38,16 @@ pub fn messages(state: &State, shared: &Shared) -> Vec<Message> {
     let Some(answer) = state.heard(shared) else { return Vec::new() };
     let text = Text::of(shared.language);
     let mut messages = Vec::new();
-    messages.extend(parsing(text, answer));
-    messages.extend(left_out(text, answer));
     let reading = state.heard_reading(shared);
+    messages.extend(taken(text, answer, reading));
+    messages.extend(parsing(text, answer));
+    match (answer.reason.as_deref(), reading) {
+        (Some("left_out"), reading) => {
+            let is_open = state.command.live.is_none() && !is_planned(shared);
+            messages.push(half(text, answer, reading.filter(|_| is_open)));
+        }
+        _ => messages.extend(left_out(text, answer)),
+    }
     if let Some(reading) = reading {
         let failing =
             reading.phrases.iter().filter(|p| !matches!(p.refers, Refers::One | Refers::Inner));
@@ -75,13 +83,56 @@ fn parsing(text: &Text, answer: &Answer) -> Option<Message> {
             message("unknown_words", (what, why.unknown_words.1), None, spellings(answer, true))
         }
         "no_parse" => message("no_parse", why.no_parse, None, vec![Help::Teach]),
-        "tie" => {
-            let what = (why.tie.0)(answer.readings.len());
-            message("tie", (what, why.tie.1), None, Vec::new())
-        }
+        // Told by a question, and by what was left out.
+        "tie" | "left_out" => return None,
         "budget" => message("budget", why.budget, None, Vec::new()),
         _ => message("other", why.no_parse, None, vec![Help::Teach]),
     })
+}
+
+/// What words were taken for that are none of the lexicon's: other words, and colours.
+fn taken(text: &Text, answer: &Answer, reading: Option<&Reading>) -> Option<Message> {
+    let own = |(start, end): Link| {
+        let words = answer.words.get(start..end).unwrap_or_default();
+        words.iter().map(|word| &*word.text).collect::<Vec<_>>().join(" ")
+    };
+    let words = answer.taken.iter().map(|one| (own(one.words), one.name.clone()));
+    let phrases = reading.map_or(&[][..], |reading| &reading.phrases);
+    let shades = phrases.iter().filter_map(|phrase| phrase.taken);
+    let shades = shades
+        .map(|(shade, color)| (shade.name().to_owned(), text.phrases.color(color).to_owned()));
+    let all: Vec<String> =
+        words.chain(shades).map(|(own, other)| (text.take_for)(&own, &other)).collect();
+    let link = answer.taken.first().map(|one| one.words);
+    (!all.is_empty()).then(|| message("taken", (all.join(" "), ""), link, Vec::new()))
+}
+
+/// What cannot be understood without leaving out words that it would not mean the same without; the rest is offered, if
+/// that can be chosen.
+fn half(text: &Text, answer: &Answer, rest: Option<&Reading>) -> Message {
+    let why = &text.why;
+    let out = |word: &Word| matches!(word.fate, Fate::Skipped | Fate::Unknown);
+    let runs = answer.words.chunk_by(|a, b| out(a) == out(b)).filter(|run| run.iter().any(out));
+    let runs: Vec<String> =
+        runs.map(|run| run.iter().map(|word| &*word.text).collect::<Vec<_>>().join(" ")).collect();
+    let runs: Vec<&str> = runs.iter().map(String::as_str).collect();
+    let does = |kind| answer.words.iter().any(|word| out(word) && word.closed == Some(kind));
+    let (kind, fix) = if does(Closed::Orders) {
+        ("time", why.half_time)
+    } else if does(Closed::Turns) {
+        ("prohibition", why.half_denied)
+    } else {
+        ("half", why.half_other)
+    };
+    let what = if answer.readings.is_empty() { why.nothing_without } else { why.half };
+    let just = rest.map(|rest| Help::Just(rest.claim.clone()));
+    let first = answer.words.iter().position(out).map(|place| (place, place + 1));
+    message(kind, (what(&runs), fix), first, just.into_iter().chain([Help::Teach]).collect())
+}
+
+/// Whether something was done about the last command, or was to be.
+fn is_planned(shared: &Shared) -> bool {
+    is_asking(shared) || shared.document.plan().is_some()
 }
 
 /// Words that were left out so that the rest could be understood: never seen ones first.
@@ -198,6 +249,10 @@ fn planning(
         }
         Some(_) => message("bad_goal", why.bad_goal, None, vec![Help::Teach]),
         None if plan.actions.is_empty() && plan.reached => {
+            let phrases = Text::of(shared.language).phrases;
+            if let Some(words) = reading.and_then(|reading| phrases.keeps(&reading.claim)) {
+                return Some(message("keeps", (words, why.keeps), None, Vec::new()));
+            }
             let link = reading.and_then(|reading| link::span(reading.phrases.last()?));
             message("already_true", why.already_true, link, vec![Help::OtherWorld])
         }

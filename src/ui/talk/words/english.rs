@@ -25,9 +25,9 @@ pub(super) static ENGLISH: Text = Text {
     try_this: "Try",
     getting_ready: "Getting ready…",
     train_one: "Train one",
-    the_words: "The words as it reads them",
-    it_means: "It understood:",
-    it_would_mean: "It would understand:",
+    the_words: "The words as I read them",
+    it_means: "I understood:",
+    it_would_mean: "I would understand:",
     has_steps: |n| {
         if n == 1 {
             "The plan has one step.".to_owned()
@@ -35,6 +35,11 @@ pub(super) static ENGLISH: Text = Text {
             format!("The plan has {n} steps.")
         }
     },
+    it_could: "I could do this much:",
+    take_for: |own, other| format!("I take “{own}” for “{other}”."),
+    which: ["Is this what you mean?", "Which do you mean?"],
+    none_of_these: "None of these: I will show you",
+    remember: "Remember this",
     heard_as: |word| format!("heard as “{word}”"),
     fate_empty: "means nothing by itself",
     fate_skipped: "left out",
@@ -50,24 +55,20 @@ pub(super) static ENGLISH: Text = Text {
             "Say it in fewer words, or in several commands.",
         ),
         unknown_words: (
-            |words| format!("It has never seen {}.", quoted(words)),
-            "Take a word that it knows, or show it what you mean.",
+            |words| format!("I have never seen {}.", quoted(words)),
+            "Take a word that I know, or show me what you mean.",
         ),
         unknown_left_out: (
-            |words| format!("It has never seen {}, and left that out.", quoted(words)),
+            |words| format!("I have never seen {}, and left that out.", quoted(words)),
             "See whether it still means what you meant.",
         ),
         skipped: (
-            |words| format!("It left out {}.", quoted(words)),
-            "See whether it still means what you meant, or show it.",
+            |words| format!("I left out {}.", quoted(words)),
+            "See whether it still means what you meant, or show me.",
         ),
         no_parse: (
-            "It knows the words, but they do not fit together into a goal.",
-            "Say it in another order, or show it what you mean.",
-        ),
-        tie: (
-            |n| format!("This can mean {n} things, all equally likely."),
-            "Look deeper (See) and choose one of them.",
+            "I know the words, but they do not fit together into a goal.",
+            "Say it in another order, or show me what you mean.",
         ),
         budget: (
             "This command can be read in too many ways to look at them all.",
@@ -85,8 +86,19 @@ pub(super) static ENGLISH: Text = Text {
         ),
         bad_goal: (
             "It was read as something that cannot be a goal here.",
-            "Say it in another way, or show it.",
+            "Say it in another way, or show me.",
         ),
+        half: |words| format!("I did not take into account: {}.", quoted(words)),
+        nothing_without: |words| {
+            format!(
+                "I would have to leave out {}, and then it would mean something else.",
+                quoted(words)
+            )
+        },
+        half_time: "What comes first and what is passed on the way I do not understand yet. Say one thing at a time.",
+        half_denied: "What must not happen beside something to do I do not understand yet.",
+        half_other: "See whether the rest is what you meant.",
+        keeps: "There is nothing to do, and I will not remember it for later.",
         already_true: (
             "That is already so: the robot has nothing to do.",
             "Ask for something that is not so yet, or go elsewhere.",
@@ -98,7 +110,8 @@ pub(super) static ENGLISH: Text = Text {
     },
     help: Helps {
         say: |phrase| format!("Say “{phrase}”"),
-        teach: "Show it what you mean",
+        just: "Do just this",
+        teach: "Show me what you mean",
         show: "Point at",
         add: |look| format!("Put a {look} there"),
         edit: "Change the room",

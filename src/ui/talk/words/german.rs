@@ -30,9 +30,9 @@ pub(super) static GERMAN: Text = Text {
     try_this: "Zum Beispiel",
     getting_ready: "Gleich bereit…",
     train_one: "Eines trainieren",
-    the_words: "Die Wörter, wie er sie liest",
+    the_words: "Die Wörter, wie ich sie lese",
     it_means: "Verstanden:",
-    it_would_mean: "Er würde verstehen:",
+    it_would_mean: "Ich würde verstehen:",
     has_steps: |n| {
         if n == 1 {
             "Der Plan hat einen Schritt.".to_owned()
@@ -40,6 +40,11 @@ pub(super) static GERMAN: Text = Text {
             format!("Der Plan hat {n} Schritte.")
         }
     },
+    it_could: "So viel könnte ich tun:",
+    take_for: |own, other| format!("„{own}“ halte ich für „{other}“."),
+    which: ["Meinst du das?", "Was davon meinst du?"],
+    none_of_these: "Nichts davon: Ich zeige es dir",
+    remember: "Das merken",
     heard_as: |word| format!("gehört als „{word}“"),
     fate_empty: "bedeutet allein nichts",
     fate_skipped: "ausgelassen",
@@ -56,7 +61,7 @@ pub(super) static GERMAN: Text = Text {
         ),
         unknown_words: (
             |words| format!("Nie gesehen: {}.", quoted(words)),
-            "Nimm ein Wort, das er kennt, oder zeig ihm, was du meinst.",
+            "Nimm ein Wort, das ich kenne, oder zeig mir, was du meinst.",
         ),
         unknown_left_out: (
             |words| format!("Nie gesehen und ausgelassen: {}.", quoted(words)),
@@ -67,12 +72,8 @@ pub(super) static GERMAN: Text = Text {
             "Sieh nach, ob es noch bedeutet, was du meinst, oder zeig es.",
         ),
         no_parse: (
-            "Er kennt die Wörter, aber sie ergeben zusammen kein Ziel.",
-            "Sag es in anderer Reihenfolge, oder zeig ihm, was du meinst.",
-        ),
-        tie: (
-            |n| format!("Das kann {n} Dinge bedeuten, alle gleich wahrscheinlich."),
-            "Sieh tiefer hinein (Sehen) und wähle eines.",
+            "Ich kenne die Wörter, aber sie ergeben zusammen kein Ziel.",
+            "Sag es in anderer Reihenfolge, oder zeig mir, was du meinst.",
         ),
         budget: ("Dieser Befehl lässt sich auf zu viele Arten lesen.", "Sag es kürzer."),
         no_referent: "Nenn genau ein Ding, das im Raum ist.",
@@ -89,6 +90,14 @@ pub(super) static GERMAN: Text = Text {
             "Das wurde als etwas gelesen, das hier kein Ziel sein kann.",
             "Sag es anders, oder zeig es.",
         ),
+        half: |words| format!("Nicht berücksichtigt habe ich: {}.", quoted(words)),
+        nothing_without: |words| {
+            format!("Ich müsste {} auslassen, und dann hieße es etwas anderes.", quoted(words))
+        },
+        half_time: "Was zuerst kommt und was auf dem Weg liegt, verstehe ich noch nicht. Sag eins nach dem anderen.",
+        half_denied: "Was neben einem Auftrag nicht geschehen darf, verstehe ich noch nicht.",
+        half_other: "Sieh nach, ob der Rest ist, was du meinst.",
+        keeps: "Zu tun ist nichts, und für später merke ich es mir nicht.",
         already_true: (
             "Das ist schon so: Der Roboter hat nichts zu tun.",
             "Verlange etwas, das noch nicht so ist, oder geh woandershin.",
@@ -100,6 +109,7 @@ pub(super) static GERMAN: Text = Text {
     },
     help: Helps {
         say: |phrase| format!("Sag “{phrase}”"),
+        just: "Nur das tun",
         teach: "Zeigen, was gemeint ist",
         show: "Zeig auf",
         add: |look| format!("Hinstellen: {look}"),

@@ -18,6 +18,11 @@ impl Text {
         format!("{} {}", self.it_means, self.phrases.sentence(claim))
     }
 
+    /// A question about so many readings.
+    pub const fn which(&self, choices: usize) -> &'static str {
+        self.which[if choices == 1 { 0 } else { 1 }]
+    }
+
     /// What is held.
     pub fn holding(&self, world: &World, held: Held) -> String {
         match held {
@@ -62,6 +67,9 @@ impl Text {
             }
             Help::Add(look) => {
                 return (helps.add)(&self.phrases.look(look.color, look.shape, look.size));
+            }
+            Help::Just(claim) => {
+                return format!("{}: {}", helps.just, self.phrases.sentence(claim));
             }
             Help::Teach => helps.teach,
             Help::Edit => helps.edit,

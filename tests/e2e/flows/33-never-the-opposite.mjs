@@ -1,0 +1,129 @@
+// What turns round, joins or orders: a forbidden room, half a command, a shade, words from the general resource, a
+// doubtful reading. Each: what it says, what it asks, what it does.
+
+import { readFile } from 'node:fs/promises';
+import path from 'node:path';
+import { flow } from '../flow.mjs';
+import { openPage } from '../page.mjs';
+import { root } from '../packages.mjs';
+
+const model = await readFile(path.join(root, 'assets/model/cleanup.model'), 'utf8');
+
+/** The shipped model, so careful that it always asks. */
+const careful = model.replace(/^doubt\t.*\n/gm, '').replace(/^signature\t/m, 'doubt\tthreshold\t1.1\n$&');
+
+/** Opens the page and waits until it knows the words that no lexicon has. */
+async function openWith(t, address) {
+  const fetched = t.context.waitForEvent('response', (response) => /words\.txt$/.test(response.url()));
+  const demo = await openPage(t, address);
+  await fetched;
+  return demo;
+}
+
+/** What the message of a kind says. */
+const told = (demo, kind) => demo.page.locator(`[data-testid="why"][data-kind="${kind}"]`).textContent();
+
+flow('a room that is forbidden is not gone to, and one to leave is left', async (t) => {
+  const demo = await openPage(t);
+  const before = await demo.robot();
+  await demo.ask('do not go to the blue room');
+  t.equal(await demo.plain(), 'The robot is outside the blue room.', 'what it understood');
+  t.equal(await demo.why(), ['keeps'], 'why nothing moves');
+  t.check(/^I stay out of the blue room\./.test(await told(demo, 'keeps')), await told(demo, 'keeps'));
+  t.equal(await demo.robot(), before, 'where the robot stays');
+  await demo.says(/I stay out of the blue room/);
+  await demo.ask('leave the green room');
+  t.equal(await demo.plain(), 'The robot is outside the green room.', 'what it understood');
+  await demo.finish();
+  t.check((await demo.robot()).room !== 'green', 'the robot has left');
+  await demo.ask('do not go to the yellow room');
+  t.check((await demo.why()).includes('no_referent'), `a room that is not there: ${await demo.why()}`);
+});
+
+flow('half a command is told and offered, and not done by itself', async (t) => {
+  const demo = await openPage(t);
+  const before = await demo.robot();
+  await demo.ask('move the block to the blue room then go to the red room');
+  t.equal(await demo.why(), ['time'], 'why nothing is done');
+  const words = await told(demo, 'time');
+  t.check(/did not take into account: “move the block to the blue room then”/.test(words), words);
+  t.check(/What comes first/.test(words), words);
+  t.equal(await demo.by('plan').count(), 0, 'plans');
+  t.equal(await demo.robot(), before, 'where the robot stays');
+  const out = await demo.page.locator('[data-testid="word"][data-fate="skipped"]').allTextContents();
+  t.check(out.some((word) => word.startsWith('then')), `struck through: ${out}`);
+  await t.accessible('half a command');
+  const just = demo.help('just');
+  t.equal(await just.textContent(), 'Do just this: The robot is in the red room.', 'what is offered');
+  await just.click();
+  await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
+  await demo.finish();
+  t.equal((await demo.robot()).room, 'red', 'where the robot ends');
+  t.equal(await demo.help('just').count(), 0, 'it was done');
+  await demo.ask('go through the red room to the blue room');
+  t.equal(await demo.why(), ['time'], 'why nothing is done');
+  t.check(/through/.test(await told(demo, 'time')), await told(demo, 'time'));
+  t.equal(await demo.by('plan').count(), 0, 'plans');
+});
+
+flow('a shade is the colour most like it, and an unknown noun what lies near it', async (t) => {
+  const demo = await openWith(t);
+  await demo.ask('go to the violet room');
+  t.equal(await demo.plain(), 'The robot is in the violet room.', 'what it understood');
+  t.equal(await demo.why(), ['taken'], 'what is said');
+  t.equal(await told(demo, 'taken'), 'I take “violet” for “blue”. ', 'what it takes it for');
+  await demo.says(/I take “violet” for “blue”/);
+  await demo.finish();
+  t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
+  await demo.ask('go to the armchair');
+  t.check(/“armchair” for “chair”/.test(await told(demo, 'taken')), await told(demo, 'taken'));
+  t.check((await demo.why()).includes('no_referent'), 'there is no chair');
+  await demo.help('add').click();
+  await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
+  await demo.finish();
+  t.check(/next to the chair/.test(await demo.plain()), await demo.plain());
+});
+
+flow('without the words that no lexicon has all else works', async (t) => {
+  t.expect(/words\.txt|Failed to load resource/);
+  await t.context.route(/words\.txt/, (route) => route.fulfill({ status: 404 }));
+  const demo = await openWith(t);
+  await demo.ask('go to the blue room');
+  await demo.finish();
+  t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
+});
+
+flow('what is doubtful is asked, answered by keys, and remembered', async (t) => {
+  const demo = await openPage(t);
+  await demo.drop('careful.model', careful);
+  await demo.says(/model/i);
+  await demo.ready();
+  const before = await demo.robot();
+  await demo.ask('put all blocks in the blue room');
+  await demo.by('question').waitFor();
+  t.check((await demo.by('choice').count()) >= 2, 'choices side by side');
+  t.equal(await demo.plain(), null, 'what it understood');
+  t.equal(await demo.by('plan').count(), 0, 'plans');
+  t.equal(await demo.robot(), before, 'where the robot stays');
+  await demo.says(/^Which do you mean\? 1: Every block is in the blue room\. 2: /);
+  await t.accessible('a question');
+  await t.fits('a question');
+  const focused = () => demo.page.evaluate(() => document.activeElement?.id);
+  t.equal(await focused(), 'choice-1', 'the focus');
+  await demo.page.keyboard.press('ArrowRight');
+  t.equal(await focused(), 'choice-2', 'the focus after an arrow');
+  await demo.page.keyboard.press('ArrowLeft');
+  await demo.page.keyboard.press('1');
+  await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
+  t.equal(await demo.by('question').count(), 0, 'questions');
+  await demo.finish();
+  t.check(/yellow block in the blue room/.test(await demo.world()), await demo.world());
+  await demo.press('remember');
+  await t.until('it is learned', async () => (await demo.by('lessons').count()) > 0);
+  t.check(/put all blocks in the blue room/.test(await demo.by('lessons').textContent()), 'the lesson');
+  t.equal(await demo.by('remember').count(), 0, 'it is kept once');
+  await demo.ask('walk next to the block');
+  await demo.says(/^Is this what you mean\? 1: /);
+  await demo.press('none-of-these');
+  t.equal(await demo.by('lesson').inputValue(), 'walk next to the block', 'the words of the lesson');
+});
