@@ -61,3 +61,5 @@ mod chart;
 mod plan_command;
 #[path = "suite/experiment.rs"]
 mod experiment;
+#[path = "suite/commands.rs"]
+mod commands;

@@ -26,10 +26,9 @@ const KINDS: [(&str, Kind); 4] = [
     ("limits", Kind::Limits),
 ];
 
-/// A line's words: one or more, and what they do. A single word may be an ending.
+/// A line's words: one or more, and what they do. A word with `-` before it is an ending.
 struct Phrase {
     words: Vec<&'static str>,
-    is_ending: bool,
     kind: Kind,
 }
 
@@ -40,10 +39,9 @@ static PHRASES: LazyLock<Vec<Phrase>> = LazyLock::new(|| {
     for (name, all) in lines {
         let kind = KINDS.iter().find(|(known, _)| *known == name.trim()).map(|&(_, kind)| kind);
         for phrase in all.split('|').map(str::trim) {
-            let is_ending = phrase.starts_with('-');
-            let words = phrase.trim_start_matches('-').split_whitespace().collect();
+            let words = phrase.split_whitespace().collect();
             // A test holds that every line has a kind.
-            phrases.extend(kind.map(|kind| Phrase { words, is_ending, kind }));
+            phrases.extend(kind.map(|kind| Phrase { words, kind }));
         }
     }
     phrases
@@ -52,12 +50,12 @@ static PHRASES: LazyLock<Vec<Phrase>> = LazyLock::new(|| {
 /// For every word of a command what it does, if it is closed; where several phrases cover a word, the first of the list.
 pub fn closed(words: &[impl AsRef<str>]) -> Vec<Option<Kind>> {
     let mut places = vec![None; words.len()];
-    for Phrase { words: own, is_ending, kind } in PHRASES.iter() {
+    for Phrase { words: own, kind } in PHRASES.iter() {
         for start in 0..(words.len() + 1).saturating_sub(own.len()) {
             let here = &words[start..start + own.len()];
-            let matches = here.iter().zip(own).all(|(word, own)| {
-                let word = word.as_ref();
-                word == *own || *is_ending && word.ends_with(own)
+            let matches = here.iter().zip(own).all(|(word, own)| match own.strip_prefix('-') {
+                Some(ending) => word.as_ref().ends_with(ending),
+                None => word.as_ref() == *own,
             });
             if matches {
                 places[start..start + own.len()].iter_mut().for_each(|place| {
@@ -76,9 +74,8 @@ pub fn any_closed(words: &[impl AsRef<str>]) -> bool {
 
 /// The closed words that stand alone, in the list's order: what a misspelt word may be.
 pub fn closed_words() -> impl Iterator<Item = &'static str> {
-    let alone = PHRASES.iter().filter(|phrase| !phrase.is_ending);
-    alone.filter_map(|phrase| match phrase.words[..] {
-        [word] => Some(word),
+    PHRASES.iter().filter_map(|phrase| match phrase.words[..] {
+        [word] if !word.starts_with('-') => Some(word),
         _ => None,
     })
 }

@@ -46,6 +46,8 @@ pub(super) enum Side {
     /// The left one is raised to a functor.
     Raised,
     Neither,
+    /// Neither, and the right one may be no bare phrase that a shift made a command of.
+    Beside,
 }
 
 /// How a constituent was made, as far as the normal form asks.
@@ -139,15 +141,16 @@ pub const RULES: &[Rule] = &[
         functor: Side::Neither,
         made: Made::Plainly,
     },
-    // Several commands in one sentence: all are to be done.
+    // Several commands in one sentence: all are to be done. "Leave the red room" is not "leave", then the red room.
     Rule {
         name: "&",
         syntax: |all, left, right| {
-            (all.is(left, Atom::S) && all.is(right, Atom::S)).then_some(left)
+            let begins = all.is(left, Atom::S) || left == SyntaxId::LIST;
+            (begins && all.is(right, Atom::S)).then_some(SyntaxId::LIST)
         },
         meaning: |terms, left, right| terms.conjoin(&[left, right]),
         written: |left, right| Expression::Name("and".into()).applied(vec![left, right]),
-        functor: Side::Neither,
+        functor: Side::Beside,
         made: Made::Plainly,
     },
 ];
@@ -219,7 +222,7 @@ impl Grammar {
         let (functor, argument) = match rule.functor {
             Side::Left => (left, right),
             Side::Right => (right, left),
-            Side::Raised | Side::Neither => return Some(meaning),
+            Side::Raised | Side::Neither | Side::Beside => return Some(meaning),
         };
         let vacuous = meaning == argument && !self.is_identity(functor);
         (allow_vacuous || !vacuous).then_some(meaning)
@@ -346,7 +349,7 @@ impl RuleId {
             Some(Side::Right) => right[0],
             // What is raised is the second argument of its neighbour.
             Some(Side::Raised) => right[1],
-            Some(Side::Neither) | None => false,
+            Some(Side::Neither | Side::Beside) | None => false,
         }
     }
 
@@ -355,6 +358,7 @@ impl RuleId {
         match RULES.get(usize::from(self.0)).map(|rule| rule.functor) {
             Some(Side::Left) => left != Made::ByForwardComposition,
             Some(Side::Right) => right != Made::ByBackwardComposition,
+            Some(Side::Beside) => right != Made::ByShift,
             _ => true,
         }
     }

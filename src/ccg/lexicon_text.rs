@@ -158,7 +158,7 @@ fn add_entry(model: &mut Model, phrase: &str, category: Category) -> Result<(), 
     // That a word may mean nothing is no reason to think so: where it also has a meaning, the meaning goes before.
     if category.syntax != SyntaxId::EMPTY {
         let lexeme = model.lexicon.entry(entry).lexeme;
-        model.features.set(Feature::Lexeme(lexeme), SEED);
+        model.features.set(Feature::Lexeme(lexeme), seed_weight(n_words));
         model.features.set(Feature::Entry(entry), seed_weight(n_words));
     }
     Ok(())

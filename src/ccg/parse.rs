@@ -151,6 +151,14 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
         Some(item) => fill(model, heard, vec![item], |_, _, _| true, config),
         None => fill_at(model, &hearing, Leniency::Learned, config),
     };
+    if parse.readings.is_empty() {
+        // Beside a closed word what skips words is no answer: better than that is a part of the sentence that skips none.
+        let part = pieces(model, &hearing).into_iter().find_map(|piece| {
+            let part = fill_piece(model, &hearing, piece, config);
+            (!part.readings.is_empty()).then_some(part)
+        });
+        parse = part.map_or(parse.clone(), |part| parse.or_else(part));
+    }
     for leniency in [Leniency::Unknown, Leniency::Any] {
         if parse.readings.is_empty() {
             let allow_throwing = leniency == Leniency::Any;
@@ -158,13 +166,6 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
             let next = fill_at(model, &hearing, leniency, config);
             parse = parse.or_else(next);
         }
-    }
-    if parse.readings.is_empty() {
-        let part = pieces(closed).find_map(|piece| {
-            let part = fill_piece(model, &hearing, piece, config);
-            (!part.readings.is_empty()).then_some(part)
-        });
-        parse = part.map_or(parse.clone(), |part| parse.or_else(part));
     }
     let is_closed = closed.iter().any(Option::is_some);
     if let Some(&best) = parse.readings.first() {
@@ -236,21 +237,29 @@ fn idiom(model: &Model, hearing: &Hearing) -> Option<Lexical> {
 }
 
 /// The stretches of a sentence without closed words, the last one first: a part of it that could be done. Behind a word
-/// that turns round stands what is denied.
-fn pieces(closed: &[Option<Kind>]) -> impl Iterator<Item = (usize, usize)> {
+/// that turns round stands what is denied, or before it where nothing is said behind.
+fn pieces(model: &Model, hearing: &Hearing) -> Vec<(usize, usize)> {
+    let Hearing { words, closed, .. } = hearing;
     let turn = closed.iter().position(|&kind| kind == Some(Kind::Turns));
+    let says = |start: usize, end: usize| {
+        words[start..end].iter().any(|word| model.lexicon.has_content(word))
+    };
+    let denies_before = turn.is_some_and(|turn| !says(turn + 1, words.len()));
+    if closed.iter().all(Option::is_none) || denies_before {
+        return Vec::new();
+    }
     let end = turn.unwrap_or(closed.len());
-    let is_whole = closed.iter().all(Option::is_none);
     let bounds = (0..end).filter(|&at| closed[at].is_some()).chain([end]);
     let mut pieces = Vec::new();
     let mut start = 0;
     for end in bounds {
-        if start < end && !is_whole {
+        if start < end && says(start, end) {
             pieces.push((start, end));
         }
         start = end + 1;
     }
-    pieces.into_iter().rev()
+    pieces.reverse();
+    pieces
 }
 
 /// What a stretch of the sentence alone would mean.

@@ -1,19 +1,21 @@
 //! Words heard through their misspelling: "chiar" is read as the known word next to it. A word that the lexicon knows
 //! is never changed, so what is learned of a spelling goes before; nor is a word of its own that a general resource knows.
-//! Nothing is heard as a word that means nothing.
+//! Nothing is heard as a word that means nothing; of words that are as near, one that turns round is heard first.
 
-use super::closed::{closed, closed_words};
+use super::closed::{Kind, closed, closed_words};
 use super::lexicon::Lexicon;
 use super::model::Model;
 
 /// Letters below which a word is taken as it stands: too many short words are one letter apart.
 const SHORTEST: usize = 4;
+/// Letters below which not even a word that turns round is heard.
+const SHORTEST_TURN: usize = 3;
 /// Letters from which a word may be two edits away.
 const LONG: usize = 8;
 
 /// The words as the lexicon knows them: unknown ones are replaced by the nearest known word that one insertion,
-/// deletion, substitution or swap of neighbours makes of them (two in long words), the first of the alphabet where
-/// there are several.
+/// deletion, substitution or swap of neighbours makes of them (two in long words); where there are several, one that
+/// turns round, or else the first of the alphabet.
 pub(super) fn heard(model: &Model, words: &[String]) -> Vec<String> {
     let hear = |(word, closed): (&String, Option<_>)| match closed {
         Some(_) => word.clone(),
@@ -24,7 +26,7 @@ pub(super) fn heard(model: &Model, words: &[String]) -> Vec<String> {
 
 fn nearest(model: &Model, word: &str) -> Option<String> {
     let (lexicon, length) = (&model.lexicon, word.chars().count());
-    if length < SHORTEST || lexicon.knows(word) || model.general().is_word(word) {
+    if length < SHORTEST_TURN || lexicon.knows(word) || model.general().is_word(word) {
         return None;
     }
     let bound = if length < LONG { 1 } else { 2 };
@@ -33,9 +35,32 @@ fn nearest(model: &Model, word: &str) -> Option<String> {
     known.extend(closed_words().map(|word| -> &str { word }));
     let near = known.into_iter().filter_map(|known| {
         let distance = strsim::damerau_levenshtein(word, known);
-        (distance <= bound && known.chars().count() >= SHORTEST).then_some((distance, known))
+        if distance > bound {
+            return None;
+        }
+        let turns = closed(&[known]) == [Some(Kind::Turns)];
+        let is_long = length.min(known.chars().count()) >= SHORTEST;
+        (is_long || turns && is_slip(word, known)).then_some((distance, !turns, known))
     });
-    near.min().map(|(_, known)| known.to_owned())
+    near.min().map(|(.., known)| known.to_owned())
+}
+
+/// Whether a word looks like a short one that turns round, written in haste: "nto", "nott", "dnt". Unheard, it would be
+/// skipped.
+fn is_slip(word: &str, turn: &str) -> bool {
+    let sorted = |text: &str| {
+        let mut letters: Vec<char> = text.chars().collect();
+        letters.sort_unstable();
+        letters
+    };
+    let undoubled = |text: &str| {
+        let mut letters: Vec<char> = text.chars().collect();
+        letters.dedup();
+        letters
+    };
+    let is_without_vowels = turn.replace(['a', 'e', 'i', 'o', 'u'], "") == word;
+    turn.chars().count() >= SHORTEST_TURN
+        && (is_without_vowels || sorted(word) == sorted(turn) || undoubled(word) == undoubled(turn))
 }
 
 /// Up to `most` known words that are spelt somewhat like an unknown one, nearest first: less alike than what is heard

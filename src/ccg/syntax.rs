@@ -12,15 +12,19 @@ impl SyntaxId {
     /// What means nothing: the atoms have the same ids everywhere, in their order.
     pub const EMPTY: SyntaxId = SyntaxId(Atom::EMPTY as u32);
 
-    /// Whether a whole sentence may have the category: a command, or a prohibition.
+    /// Several commands, one after the other.
+    pub const LIST: SyntaxId = SyntaxId(Atom::LIST as u32);
+
+    /// Whether a whole sentence may have the category: a command, a prohibition, or several commands.
     pub fn is_sentence(self) -> bool {
-        self == SyntaxId(Atom::S as u32) || self == SyntaxId(Atom::NEG as u32)
+        [Atom::S, Atom::NEG, Atom::LIST].map(|atom| SyntaxId(atom as u32)).contains(&self)
     }
 }
 
 /// The atoms: sentence, noun, noun phrase, prepositional phrase, adverbial phrase, predicative adjective;
-/// what means nothing here, which its neighbour absorbs; and a prohibition, which is a sentence alone and no clause of
-/// another (beside a goal it would hold all the time, not at the end).
+/// what means nothing here, which its neighbour absorbs; a prohibition, which is a sentence alone and no clause of
+/// another (beside a goal it would hold all the time, not at the end); and several commands side by side, which are a
+/// sentence alone too (what is said of the first is not said of all).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "the names are the categories'")]
 pub enum Atom {
@@ -32,9 +36,10 @@ pub enum Atom {
     ADJ,
     EMPTY,
     NEG,
+    LIST,
 }
 
-const ATOMS: [(Atom, &str); 8] = [
+const ATOMS: [(Atom, &str); 9] = [
     (Atom::S, "S"),
     (Atom::N, "N"),
     (Atom::NP, "NP"),
@@ -43,6 +48,7 @@ const ATOMS: [(Atom, &str); 8] = [
     (Atom::ADJ, "ADJ"),
     (Atom::EMPTY, "EMPTY"),
     (Atom::NEG, "NEG"),
+    (Atom::LIST, "LIST"),
 ];
 
 /// Where a functor looks for its argument: `/` to the right, `\` to the left.
@@ -153,7 +159,7 @@ impl Syntaxes {
     /// The type of what the category means; `None` where that is left open.
     pub fn ty(&self, types: &mut Types, id: SyntaxId) -> Option<TyId> {
         match self.get(id) {
-            Syntax::Atom(Atom::S | Atom::NEG) => Some(ty::TRUTH),
+            Syntax::Atom(Atom::S | Atom::NEG | Atom::LIST) => Some(ty::TRUTH),
             Syntax::Atom(Atom::NP) => Some(ty::ENTITY),
             Syntax::Atom(Atom::N | Atom::PP) => Some(types.function(ty::ENTITY, ty::TRUTH)),
             Syntax::Atom(Atom::AP | Atom::ADJ | Atom::EMPTY) => None,

@@ -1,6 +1,6 @@
 //! Sorts: what kinds of entity a constant can be true of. A phrase such as "the room in the room that is red" asks
 //! for something in which nothing can stand: it is well typed and denotes nothing in any world. Inference is
-//! conservative: what it refuses is never true, what it lets pass may still be false.
+//! conservative: what it refuses is never true, or denies what never is; what it lets pass may still be false.
 
 use super::signature::{Signature, SortSet};
 use super::term::{Node, TermId, Terms};

@@ -6,6 +6,8 @@ mod absorb;
 mod brute;
 #[path = "ccg/chart.rs"]
 mod chart;
+#[path = "ccg/closed.rs"]
+mod closed;
 #[path = "ccg/files.rs"]
 mod files;
 #[path = "ccg/general.rs"]

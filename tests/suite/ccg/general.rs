@@ -3,11 +3,12 @@
 
 use super::{model, model_over};
 use crate::logic::cases;
-use groundling::ccg::{EntryId, General, Near, Target};
+use groundling::ccg::{EntryId, Feature, General, Hearing, Model, Near, Target, words};
 use groundling::ground::{ONTOLOGY, Shade};
 use groundling::learn::seed_model;
 use groundling::logic::print;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 const WORDS: &str = include_str!("../../../assets/lexicon/words.txt");
 const SEED: &str = include_str!("../../../assets/lexicon/cleanup.txt");
@@ -81,6 +82,14 @@ const CLOSED: [&str; 62] = [
 
 fn general() -> General {
     General::read(WORDS).unwrap()
+}
+
+/// The entries of words that stand for something together, with what each scores.
+fn understood(model: &mut Model, said: &str) -> Vec<(EntryId, f64)> {
+    let words = words(said);
+    let items = Hearing::new(model, &words).items(model).into_iter();
+    let whole = items.filter(|item| (item.start, item.end) == (0, words.len()));
+    whole.map(|item| (EntryId::from_item(item.item), item.score)).collect()
 }
 
 fn target(near: &Near) -> &str {
@@ -162,36 +171,34 @@ fn every_line_leads_from_a_word_that_the_seed_gives_no_meaning_to_one_that_it_do
 #[test]
 fn entries_are_those_of_the_target_at_a_price() {
     let mut model = model_over(ONTOLOGY, "chair | box :- N : chair:<e,t>\nbox :- EMPTY : true:t");
-    let general = General::read("stool\tchair\nhamper\tbox=3 basket\n").unwrap();
-    let said = |word: &str| vec![word.to_owned()];
+    let general = General::read("stool\tchair\nhamper\tbox=3 basket\nchair\tbox\n").unwrap();
+    model.attach(Arc::new(general));
     let [chair, box_] = ["chair", "box"].map(|word| model.lexicon.entries_for_word(word)[0]);
-    let whole = model.entry_score(chair);
-    let found = general.entries(&mut model, &said("stool")).unwrap();
-    assert_eq!(found.len(), 1);
-    assert_eq!((found[0].entry, found[0].score), (chair, whole - 1.0));
+    let (whole, step) = (model.entry_score(chair), model.value(&[Feature::Far]));
+    assert!(step < 0.0, "a step away costs");
+    assert_eq!(understood(&mut model, "stool"), [(chair, whole + step)]);
     // The entry by which a target may mean nothing is none; a target that the lexicon lacks gives nothing.
-    let found = general.entries(&mut model, &said("hamper")).unwrap();
-    assert_eq!(found.len(), 1);
-    assert_eq!((found[0].entry, found[0].score), (box_, whole - 3.0));
-    assert_eq!(general.entries(&mut model, &said("chair")).unwrap(), []);
+    assert_eq!(understood(&mut model, "hamper"), [(box_, whole + step + step + step)]);
+    assert_eq!(understood(&mut model, "chair"), [(chair, whole)], "what the lexicon knows stands");
 }
 
 #[test]
 fn a_measure_is_put_into_the_frames_and_stays_out_of_the_lexicon() {
     let mut model = seed_model(SEED).unwrap();
+    model.attach(Arc::new(general()));
     let (before, known) = (model.print(), model.lexicon.len());
-    let words = ["navy", "blue"].map(str::to_owned);
-    let found = general().entries(&mut model, &words).unwrap();
+    let found = understood(&mut model, "navy blue");
     let texts: Vec<String> = found
         .iter()
-        .map(|found| {
-            let category = model.lexicon.category(found.entry);
+        .map(|&(entry, score)| {
+            let category = model.lexicon.category(entry);
             let syntax = model.grammar.syntaxes.text(category.syntax);
-            format!("{syntax} {} {}", print(&model.grammar.terms, category.meaning), found.score)
+            format!("{syntax} {} {score}", print(&model.grammar.terms, category.meaning))
         })
         .collect();
     let measure = "(lambda $0:<e,t> (argmax:<<e,t>,<<e,n>,e>> (lambda $1:e ($0 $1)) (lambda $1:e (navy:<e,n> $1))))";
-    assert_eq!(texts[..2], [format!("NP/N {measure} 5"), format!("NP\\N {measure} 5")]);
+    let score = model.value(&[Feature::Measure, Feature::Far]);
+    assert_eq!(texts[..2], [format!("NP/N {measure} {score}"), format!("NP\\N {measure} {score}")]);
     assert!(texts[2].starts_with("N/N ") && texts[2].contains("(blue:<e,t> $1)"), "{texts:?}");
     assert_eq!(model.lexicon.len(), known);
     assert!(!model.lexicon.knows("navy"));

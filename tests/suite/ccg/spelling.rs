@@ -1,7 +1,7 @@
 //! Misspelt words are heard as the known words next to them; what is skipped is named as it was written.
 
 use super::model;
-use groundling::ccg::{ChartConfig, heard, parse, words};
+use groundling::ccg::{ChartConfig, Hearing, parse, words};
 use groundling::logic::print;
 
 const LEXICON: &str = "
@@ -26,7 +26,7 @@ fn unknown_words_are_heard_as_their_nearest_neighbours() {
         ("yelwo brickpick", "yelwo brickpick"),
         ("", ""),
     ] {
-        assert_eq!(heard(&model.lexicon, &words(said)).join(" "), wanted, "{said}");
+        assert_eq!(Hearing::new(&model, &words(said)).words.join(" "), wanted, "{said}");
     }
 }
 

@@ -1,0 +1,136 @@
+//! What the model that the page opens with makes of commands, by construction, with the general resource attached:
+//! closed words (`tests/data/ccg/closed.txt`) and what strangers say (`tests/data/ccg/strangers.txt`).
+
+use crate::logic::cases;
+use groundling::ccg::{ChartConfig, General, Model, Parse, parse};
+use groundling::logic::print_human;
+use std::sync::Arc;
+
+const MODEL: &str = include_str!("../../assets/model/cleanup.model");
+const WORDS: &str = include_str!("../../assets/lexicon/words.txt");
+
+/// The model as a visitor meets it.
+pub(crate) fn shipped() -> Model {
+    let mut model = Model::read(MODEL).unwrap();
+    model.attach(Arc::new(General::read(WORDS).unwrap()));
+    model
+}
+
+/// What becomes of a command.
+pub(crate) fn asked(model: &mut Model, command: &str) -> Parse {
+    let config = ChartConfig::of(model);
+    parse(model, command, config)
+}
+
+/// The goal and the words that it is without; or why there is none, with the words that are to blame and the part that
+/// could be done.
+fn answer(model: &mut Model, command: &str) -> String {
+    let parse = asked(model, command);
+    let best = parse.readings.first().map(|best| print_human(&model.grammar.terms, best.form));
+    let skipped = parse.skipped.join(" ");
+    match (parse.reason, best) {
+        (None, Some(goal)) if skipped.is_empty() => goal,
+        (None, Some(goal)) => format!("{goal}, without: {skipped}"),
+        (Some(reason), best) => {
+            let name = reason.name();
+            let offer = best.map_or(String::new(), |goal| format!("; offers {goal}"));
+            format!("{name}: {skipped}{offer}")
+        }
+        (None, None) => panic!("{command}: neither an answer nor a reason"),
+    }
+}
+
+/// Holds every command of a data file to its answer.
+#[track_caller]
+fn hold(data: &str, at_least: usize) {
+    let mut model = shipped();
+    let mut wrong = Vec::new();
+    cases(data, at_least, |line, command, expected| {
+        let found = answer(&mut model, command);
+        if found != expected {
+            wrong.push(format!("line {line}: {command}\n=> {found}"));
+        }
+    });
+    assert!(wrong.is_empty(), "{} are otherwise:\n{}", wrong.len(), wrong.join("\n"));
+}
+
+#[test]
+fn closed_words_are_used_with_their_meaning_or_said_to_be_left_out() {
+    hold(include_str!("../data/ccg/closed.txt"), 170);
+}
+
+#[test]
+fn strangers_are_understood() {
+    hold(include_str!("../data/ccg/strangers.txt"), 100);
+}
+
+/// What is asked for, before a place.
+const ASKED: [&str; 15] = [
+    "go to",
+    "walk into",
+    "enter",
+    "approach",
+    "be in",
+    "drive over to",
+    "the robot should be in",
+    "move the chair to",
+    "put the block in",
+    "take the yellow bag to",
+    "push the basket next to",
+    "bring the chair and the block into",
+    "make sure the chair is in",
+    "I want the block in",
+    "find the block and take it to",
+];
+const PLACES: [&str; 5] = [
+    "the red room",
+    "the biggest room",
+    "the room with the chair",
+    "the blue or the green room",
+    "the room where the basket is",
+];
+
+/// Where a thing or the robot goes out, away or off to a place, it goes to the place.
+const HARMLESS: [&str; 3] = ["out", "away", "off"];
+/// A known failure: these have harmless uses ("leave the block in the red room", "stop at the chair"), in which they
+/// absorb a verb that may mean nothing ("stop going to the red room").
+const ABSORBING: [&str; 5] = ["stop", "leave", "depart", "remove", "exit"];
+
+/// The words and phrases that turn round.
+fn turning() -> impl Iterator<Item = &'static str> {
+    let lines = include_str!("../../assets/lexicon/closed.txt").lines();
+    let turns = lines.filter_map(|line| line.strip_prefix("turns: "));
+    let phrases = turns.flat_map(|all| all.split('|').map(str::trim));
+    let whole = phrases.filter(|phrase| !phrase.starts_with('-'));
+    whole.chain(["don't", "isn't", "won't", "shouldn't"])
+}
+
+#[test]
+fn no_command_is_answered_as_if_a_word_that_turns_round_were_not_there() {
+    let mut model = shipped();
+    let said = ASKED.iter().flat_map(|asked| PLACES.map(|place| format!("{asked} {place}")));
+    let plain: Vec<(String, String)> = said
+        .map(|command| {
+            let goal = answer(&mut model, &command);
+            (command, goal)
+        })
+        .collect();
+    let (mut asked, mut silent) = (0, Vec::new());
+    for (nth, phrase) in turning().enumerate() {
+        if HARMLESS.contains(&phrase) || ABSORBING.contains(&phrase) {
+            continue;
+        }
+        // Some ten commands for each, every place in them in turn.
+        for (command, goal) in plain.iter().skip(nth % 7).step_by(7) {
+            let words: Vec<&str> = command.split(' ').collect();
+            let (before, behind) = words.split_at((nth + asked) % (words.len() + 1));
+            let command = [&before.join(" "), phrase, &behind.join(" ")].join(" ");
+            if answer(&mut model, &command) == *goal {
+                silent.push(command);
+            }
+            asked += 1;
+        }
+    }
+    assert!(asked > 900, "{asked} commands");
+    assert!(silent.is_empty(), "{silent:#?}");
+}
