@@ -16,9 +16,15 @@ pub(super) fn choices(parse: &Parse, readings: &[Reading], is_doubtful: bool) ->
     let Some(best) = readings.first() else { return Vec::new() };
     let rivals = readings.iter().take_while(|one| best.score - one.score <= FAR).count();
     let fits = |at: &usize| readings.get(*at).is_some_and(refers);
+    // One of several may be there where another is not.
+    let can_be_done = matches!(best.claim, Claim::Any(_));
     let mut all: Vec<usize> = match parse.reason {
         Some(Reason::Tie) => (0..parse.tied()).collect(),
         Some(_) => return Vec::new(),
+        // What cannot be done is told as such, however it was meant.
+        None if is_doubtful && !can_be_done && !(0..rivals).any(|at| fits(&at)) => {
+            return Vec::new();
+        }
         None if is_doubtful => (0..rivals).collect(),
         None if refers(best) => return Vec::new(),
         None => {

@@ -10,7 +10,7 @@ const COMMANDS = [
   ['nothing', '   ', 'empty', /no word/i],
   ['emoji', '🤖🚪🟦', 'empty', /no word/i],
   ['a word that nothing is left without', 'fetch my slippers', 'unknown_words', /slippers/],
-  ['a word that is left out', 'go to the purple room', 'unknown_words', /purple[^]*left that out/],
+  ['a word that is left out', 'go to the frobly room', 'unknown_words', /frobly[^]*left that out/],
   ['markup', '<img src=x onerror=alert(1)> room', 'unknown_words', /onerror/],
   ['a phrase that names nothing', 'go to the yellow room', 'no_referent', /no yellow room/],
 ];

@@ -12,7 +12,7 @@ flow('a phrase is taught by dragging, used, saved and forgotten', async (t) => {
   await demo.press('teach');
   t.check(/Nothing is shown yet/.test(await demo.by('missing').textContent()), 'what is missing');
   await demo.drag([6, 2], [2, 6]);
-  await demo.by('lesson').fill('scurry to the blue room');
+  await demo.by('lesson').fill('flump to the blue room');
   const start = Date.now();
   await demo.press('teach');
   await demo.by('learned').waitFor();
@@ -23,7 +23,7 @@ flow('a phrase is taught by dragging, used, saved and forgotten', async (t) => {
   await demo.answered('the lesson');
   await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'the lesson is done');
-  await demo.ask('scurry to the red room');
+  await demo.ask('flump to the red room');
   await demo.finish();
   t.equal((await demo.robot()).room, 'red', 'and what was never shown');
   await t.accessible('a lesson');
@@ -42,7 +42,7 @@ flow('a phrase is taught by dragging, used, saved and forgotten', async (t) => {
 
   await demo.press('unteach');
   await t.until('nothing is taught', async () => (await demo.by('lessons').count()) === 0);
-  await demo.ask('scurry to the blue room');
+  await demo.ask('flump to the blue room');
   t.check((await demo.why()).includes('unknown_words'), `forgotten: ${await demo.why()}`);
   await demo.press('undo');
   await demo.press('undo');

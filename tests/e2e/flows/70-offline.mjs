@@ -25,6 +25,8 @@ flow('the page works offline after one visit', { serviceWorkers: 'allow' }, asyn
   await demo.ask('go to the blue room');
   await demo.finish();
   t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
+  await demo.ask('go to the violet room');
+  t.equal(await demo.why(), ['taken', 'already_true'], 'what is said of a shade');
   await t.until('the picture is drawn by the GPU', async () =>
     (await demo.by('stage').getAttribute('data-backend')) === 'webgl2');
   await demo.workbench();

@@ -3,10 +3,13 @@
 
 use groundling::domain::Color;
 use groundling::ground::predicate::predicate;
-use groundling::ground::{Meaning, Measure, ONTOLOGY, Shade, phrases};
+use groundling::ground::{Failure, Meaning, Measure, ONTOLOGY, Shade, phrases};
 use groundling::logic::{Signature, Terms, Types, read};
 
-use super::world;
+use super::{holds, world};
+
+/// The only red room, as the one most like a shade.
+const ONLY: &str = "(argmax:<<e,t>,<<e,n>,e>> (lambda $0:e (and:<t*,t> (red:<e,t> $0) (room:<e,t> $0))) firebrick:<e,n>)";
 
 const CASES: &str = include_str!("../../data/ground/shades.txt");
 
@@ -58,12 +61,18 @@ fn an_answer_says_which_colour_a_shade_was_taken_for() {
         ("(argmax:<<e,t>,<<e,n>,e>> room:<e,t> violet:<e,n>)", Some(("violet", Color::Blue))),
         ("(argmax:<<e,t>,<<e,n>,e>> room:<e,t> firebrick:<e,n>)", Some(("firebrick", Color::Red))),
         ("(argmax:<<e,t>,<<e,n>,e>> room:<e,t> lime:<e,n>)", None),
+        // A single thing is the most like a shade if it is like it at all.
+        (ONLY, Some(("firebrick", Color::Red))),
         ("(argmin:<<e,t>,<<e,n>,e>> room:<e,t> violet:<e,n>)", None),
         ("(argmax:<<e,t>,<<e,n>,e>> chair:<e,t> size:<e,n>)", None),
     ] {
-        let term = read(&mut terms, &format!("(red:<e,t> {phrase})")).unwrap();
+        let goal = format!("(red:<e,t> {phrase})");
+        holds(&mut terms, &goal, &state, &state);
+        let term = read(&mut terms, &goal).unwrap();
         let found = phrases(&terms, term, &state).unwrap();
         let taken = found.last().unwrap().taken.map(|(shade, color)| (shade.name(), color));
         assert_eq!(taken, wanted, "{phrase}");
+        let is_lost = found.last().unwrap().referent == Err(Failure::None);
+        assert_eq!(is_lost, phrase.contains("lime"), "{phrase}: nothing is like it");
     }
 }

@@ -126,6 +126,12 @@ fn a_near_spelling_is_said_instead() {
 fn several_things_can_be_told_apart_at_a_press() {
     let found = messages(failing(Refers::Several, vec![chair(Color::Red), chair(Color::Blue)]));
     assert!(found[0].helps.contains(&Help::Say((2, 5), "the blue chair".to_owned())), "{found:?}");
+    let mut spared = failing(Refers::Several, vec![chair(Color::Red), chair(Color::Blue)]);
+    spared.words[2] = word("the", Fate::Empty);
+    spared.readings[0].phrases[0].words = vec![3, 4];
+    let found = messages(spared);
+    let helps = &found[0].helps;
+    assert!(helps.contains(&Help::Say((2, 5), "the blue chair".to_owned())), "one article");
     let twins = messages(failing(Refers::Several, vec![chair(Color::Red), chair(Color::Red)]));
     assert!(
         !twins[0].helps.iter().any(|help| matches!(help, Help::Say(..))),

@@ -4,6 +4,7 @@
 use super::{only, pump};
 use groundling::ccg::Model;
 use groundling::domain::State;
+use groundling::ui::talk::command::state::EXAMPLES;
 use groundling::worker::protocol::{Event, Request, WorldRules};
 use groundling::worker::{Engine, Talker};
 
@@ -51,4 +52,18 @@ fn it_understands_what_a_visitor_is_likely_to_say() {
         }
     }
     assert!(found == CASES, "tests/data/ccg/shipped.txt should read\n{found}");
+}
+
+#[test]
+fn the_commands_that_the_page_offers_are_done_without_asking() {
+    let mut engine = engine();
+    let state = State::read(WORLD).unwrap();
+    for command in EXAMPLES {
+        let command = command.to_owned();
+        let ask = Request::Ask { command, state: state.clone(), rules: WorldRules::default() };
+        let Some(Event::Answer(answer)) = pump(&mut engine, 2, ask).pop() else { panic!() };
+        assert!(answer.asks.is_empty(), "{}: {:?}", answer.command, answer.probability);
+        let plan = answer.plan.unwrap();
+        assert!(plan.reached && !plan.actions.is_empty(), "{}", answer.command);
+    }
 }

@@ -9,7 +9,7 @@ pub const EXAMPLES: [&str; 4] = [
     "go to the blue room",
     "put the yellow block in the biggest room",
     "take the block to the green room",
-    "walk next to the block",
+    "walk next to the yellow block",
 ];
 
 /// The elements that a question's choices are, in their order.

@@ -51,7 +51,7 @@ pub fn messages(state: &State, shared: &Shared) -> Vec<Message> {
     if let Some(reading) = reading {
         let failing =
             reading.phrases.iter().filter(|p| !matches!(p.refers, Refers::One | Refers::Inner));
-        messages.extend(failing.map(|phrase| reference(text, phrase)));
+        messages.extend(failing.map(|phrase| reference(text, answer, phrase)));
     }
     // What is typed has no plan yet.
     if state.command.live.is_none()
@@ -167,8 +167,8 @@ fn spellings(answer: &Answer, teach: bool) -> Vec<Help> {
 }
 
 /// A phrase that does not refer, with what would.
-fn reference(text: &Text, phrase: &Phrase) -> Message {
-    let own = link::span(phrase);
+fn reference(text: &Text, answer: &Answer, phrase: &Phrase) -> Message {
+    let own = link::span(phrase).map(|own| with_article(answer, own));
     let mut helps: Vec<Help> = own.map(Help::Show).into_iter().collect();
     match phrase.refers {
         Refers::Several | Refers::Tie => helps.extend(own.into_iter().flat_map(|own| {
@@ -181,6 +181,13 @@ fn reference(text: &Text, phrase: &Phrase) -> Message {
     helps.push(Help::Edit);
     let what = text.phrases.failure(phrase);
     message("no_referent", (what, text.why.no_referent), own, helps)
+}
+
+/// Words with the article before them, where the parser found no meaning in that: a name has its own.
+fn with_article(answer: &Answer, (start, end): Link) -> Link {
+    let before = start.checked_sub(1).and_then(|place| answer.words.get(place));
+    let is_article = |word: &Word| word.fate == Fate::Empty && word.text == "the";
+    (start - usize::from(before.is_some_and(is_article)), end)
 }
 
 /// A name in the parser's English that fits this thing and none of the others.
