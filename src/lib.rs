@@ -19,7 +19,9 @@
 //! 5. Learning never plans, but for the planning validator that Table III compares with.
 //! 6. Ids never leave the owner of their arena; between programs and in files go text and plain data, with a version.
 //! 7. Bad input is no error of the program: it is answered with its place and a remedy, and nothing is lost.
-//! 8. Long work goes in bounded steps, so that a cancel and a look at how far it is are answered at once.
+//! 8. No reading is silent about a word that turns round, excludes, joins or orders: it is used with its meaning, or
+//!    named as left out (`ccg::closed`).
+//! 9. Long work goes in bounded steps, so that a cancel and a look at how far it is are answered at once.
 
 pub mod logic;
 pub mod ccg;

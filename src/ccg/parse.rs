@@ -271,8 +271,9 @@ fn fill_piece(
 ) -> Parse {
     let Hearing { words, empty, .. } = hearing;
     let mut costs = absorption(model, words, empty, Leniency::Learned);
+    let skipping = |at: usize| model.value(&model.absorption_features(&words[at], empty[at]));
     let outside = (0..words.len()).filter(|at| !(start..end).contains(at));
-    outside.for_each(|at| costs[at] = Some(0.0));
+    outside.for_each(|at| costs[at] = Some(skipping(at)));
     let mut items = hearing.items(model);
     items.retain(|item| start <= item.start && item.end <= end);
     fill(model, words, absorbing(items, &costs), |_, _, _| true, config)

@@ -71,7 +71,7 @@ fn threshold(doubt: &Doubt, corpora: &[&Vec<Mark>], precision: f64) -> f64 {
     let enough = |threshold: f64, marks: &[Mark]| {
         let told: Vec<bool> = marks
             .iter()
-            .filter(|mark| !(doubt.probability(&mark.signs) < threshold))
+            .filter(|mark| doubt.probability(&mark.signs) >= threshold)
             .map(|mark| mark.right)
             .collect();
         let right = told.iter().filter(|&&right| right).count();

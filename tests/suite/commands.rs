@@ -101,7 +101,7 @@ fn turning() -> impl Iterator<Item = &'static str> {
     let lines = include_str!("../../assets/lexicon/closed.txt").lines();
     let turns = lines.filter_map(|line| line.strip_prefix("turns: "));
     let phrases = turns.flat_map(|all| all.split('|').map(str::trim));
-    let whole = phrases.filter(|phrase| !phrase.starts_with('-'));
+    let whole = phrases.filter(|phrase| !phrase.contains('-'));
     whole.chain(["don't", "isn't", "won't", "shouldn't"])
 }
 

@@ -49,7 +49,7 @@ fn folds_without_enough_to_part_stay_empty() {
 
 fn mark(task: &str, answer: Verdict, resolved: Verdict, skipped: bool) -> Mark {
     let task = (!task.is_empty()).then(|| task.to_owned());
-    Mark { task, answer, resolved, skipped }
+    Mark { task, answer, resolved, skipped, probability: None, asked: false }
 }
 
 /// A report of 120 commands of three tasks and of none, answered in every way.

@@ -82,7 +82,8 @@ for (const { keys, targets, price, depth } of concepts) {
         // "Rocking chair" is understood by its last word.
         if (kind === 'n' && word.includes(' ') && seed.has(word.split(' ').at(-1))) continue;
         if (isColor && word.endsWith('ness')) continue;
-        for (const form of isColor ? [word] : forms(kind, word)) {
+        const said = isColor ? [word] : forms(kind, word);
+        for (const form of said.filter((form) => !seed.has(form))) {
           targets.forEach((target) => add(form, target, price + Math.ceil(distance / 2) + place));
         }
       }
@@ -118,7 +119,7 @@ const [more, misspelt] = ['+ ', '- '].map((mark) => {
   return new Set(marked.flatMap((line) => line.slice(mark.length).split(' ')));
 });
 const closed = content(path.join(lexicon, 'closed.txt')).flatMap((line) => phrases(line.slice(line.indexOf(':') + 1)));
-const known = [...entries.flatMap((entry) => entry.phrases), ...closed].flatMap((phrase) => phrase.split(' '));
+const known = [...entries.flatMap((entry) => entry.phrases), ...closed].flatMap((phrase) => phrase.split(' ').filter((word) => !word.startsWith('-')));
 const real = realWords(net, new Set(known), more, misspelt).filter((word) => !found.has(word));
 
 console.log(`# What words that the lexicon does not know may stand for: made by \`make words\`, not to be changed by hand. A line is

@@ -12,6 +12,7 @@ pub mod files;
 pub mod effect;
 pub mod engine;
 pub mod words;
+pub mod coming;
 pub mod shared;
 pub mod resource;
 pub mod model;

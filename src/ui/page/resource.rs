@@ -1,24 +1,10 @@
 //! The general resource for words that no lexicon knows: it comes after the first model, and an engine that begins
 //! anew is given it again. Without it everything works that is said in words of the lexicon.
 
+use super::coming::Resource;
 use super::effect::Effect;
 use super::shared::Shared;
 use crate::worker::protocol::Request;
-use std::rc::Rc;
-
-/// How far the resource is.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub enum Resource {
-    /// Nobody asked for it yet.
-    #[default]
-    Absent,
-    /// It is being fetched, or read.
-    Coming,
-    /// This is its text, and the engine has read it.
-    Here(Rc<str>),
-    /// It cannot be had.
-    Lost,
-}
 
 /// Has it fetched, if it was not yet.
 pub fn fetch(shared: &mut Shared) {

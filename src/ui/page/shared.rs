@@ -7,7 +7,7 @@ use super::engine::{Engine, Health};
 use super::history::History;
 use super::language::Language;
 use super::preferences::{Depth, Preferences};
-use super::resource::Resource;
+use super::coming::Resource;
 use crate::worker::protocol::{Program, Request};
 
 /// What all pages share.

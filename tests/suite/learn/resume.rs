@@ -14,6 +14,7 @@ const CONFIG: Config = Config {
     budget: 200_000,
     lexical_budget: 60_000,
     generations: 2,
+    idioms: true,
     planning: None,
 };
 

@@ -16,7 +16,7 @@ fn engine() -> Engine<Talker> {
     let mut engine = Engine::new();
     let open = Request::OpenModel { text: MODEL.to_owned() };
     let Event::Opened(report) = only(pump(&mut engine, 1, open)) else { panic!("not opened") };
-    assert_eq!(report.examples, 2_898);
+    assert_eq!(report.examples, 2_909);
     assert!(report.valid > 2_500, "{} commands were understood", report.valid);
     engine
 }
