@@ -72,6 +72,13 @@ fn the_answer_is_done_and_can_be_remembered() {
     assert_eq!(page.state.shared.document.lessons.len(), 1);
     page.act(talk::Action::Remember);
     assert!(page.posted.is_empty(), "once is enough");
+    // What was taught is not asked about again.
+    page.act(talk::Action::Ask);
+    let readings = vec![outside("(g:t)"), reading("(f:t)")];
+    let answer = Answer { readings, asks: vec![0, 1], ..understood("go", None) };
+    page.answer(Event::Answer(Box::new(answer)));
+    assert!(matches!(page.asked(), Request::Plan { form, .. } if form == "(g:t)"));
+    assert_eq!(asked(&page), None);
 }
 
 #[test]

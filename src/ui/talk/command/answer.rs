@@ -1,6 +1,6 @@
 //! What the engine answered: while a command is typed, when it was sent, and for another reading.
 
-use super::ask::question;
+use super::ask::{plan_again, question};
 use super::state::CHOICES;
 use super::study;
 use crate::domain::State as World;
@@ -33,8 +33,19 @@ pub(crate) fn answered(state: &mut State, shared: &mut Shared, mut answer: Answe
     state.command.forget();
     let answer = Rc::new(answer);
     shared.document.said = Some(Said { world: Rc::new(world), answer, chosen: 0, plan });
-    planned(state, shared);
+    if question(state, shared).is_some() && is_taught(shared) {
+        plan_again(state, shared);
+    } else {
+        planned(state, shared);
+    }
     study::look_closer(state, shared);
+}
+
+/// Whether what was said is a lesson that was learned: what it means was told then.
+fn is_taught(shared: &Shared) -> bool {
+    let said = shared.document.said.as_ref().map(|said| said.answer.command.trim());
+    let mut lessons = shared.document.lessons.iter().filter(|taught| taught.understood);
+    lessons.any(|taught| said == Some(&*taught.lesson.command))
 }
 
 /// There is a plan for another reading.

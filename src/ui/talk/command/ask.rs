@@ -83,7 +83,7 @@ pub(crate) fn set_rules(state: &mut State, shared: &mut Shared, rules: WorldRule
 }
 
 /// Plans anew for the reading that is chosen, from the world that the command was said in.
-fn plan_again(state: &mut State, shared: &mut Shared) {
+pub(super) fn plan_again(state: &mut State, shared: &mut Shared) {
     state.watch.playback = None;
     let Some(said) = &shared.document.said else { return };
     let Some(reading) = said.answer.readings.get(said.chosen) else { return };

@@ -57,10 +57,10 @@ pub(crate) fn teach(state: &mut State, shared: &mut Shared) {
 pub fn answered(shared: &Shared) -> Option<Lesson> {
     let said = shared.document.said.as_ref().filter(|said| !said.answer.asks.is_empty())?;
     let plan = said.plan.as_ref().filter(|plan| plan.reached && !plan.actions.is_empty())?;
-    let lesson = Draft { before: (*said.world).clone(), after: plan.states.last()?.clone() }
-        .lesson(said.answer.command.clone());
-    let is_new = shared.document.lessons.iter().all(|known| known.lesson != lesson);
-    is_new.then_some(lesson)
+    let draft = Draft { before: (*said.world).clone(), after: plan.states.last()?.clone() };
+    let lesson = draft.lesson(said.answer.command.trim().to_owned());
+    let mut lessons = shared.document.lessons.iter();
+    lessons.all(|known| known.lesson.command != lesson.command).then_some(lesson)
 }
 
 /// Keeps that as a lesson.
