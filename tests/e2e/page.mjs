@@ -72,6 +72,14 @@ export class Demo {
       + (await this.by('ask-notice').count()) > 0);
   }
 
+  /** Waits until the command is planned for; a question on the way is answered with its first reading. */
+  async planned() {
+    await this.t.until('a plan or a question', async () =>
+      (await this.by('plan').count()) + (await this.by('question').count()) > 0);
+    if ((await this.by('question').count()) > 0) await this.page.keyboard.press('1');
+    await this.t.until('there is a plan', async () => (await this.by('plan').count()) > 0);
+  }
+
   /** What was understood, in plain words; nothing when nothing was. */
   async plain() {
     return (await this.by('plain').count()) > 0 ? this.by('plain').textContent() : null;

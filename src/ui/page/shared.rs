@@ -1,13 +1,13 @@
 //! What every page is lent: it reads and changes the document, sends requests to the engines, says what a screen
 //! reader is to tell, and leaves what it wants done. It is asked; it hands nothing on to a page.
 
+use super::coming::Resource;
 use super::document::{Document, Origin};
 use super::effect::Effect;
 use super::engine::{Engine, Health};
 use super::history::History;
 use super::language::Language;
 use super::preferences::{Depth, Preferences};
-use super::coming::Resource;
 use crate::worker::protocol::{Program, Request};
 
 /// What all pages share.

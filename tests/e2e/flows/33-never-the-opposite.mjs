@@ -80,9 +80,7 @@ flow('a shade is the colour most like it, and an unknown noun what lies near it'
   t.check((await demo.why()).includes('no_referent'), 'there is no chair');
   await demo.help('add').click();
   // Far words make it doubtful: it may ask.
-  await t.until('an answer', async () => (await demo.by('plan').count()) + (await demo.by('question').count()) > 0);
-  if ((await demo.by('question').count()) > 0) await demo.page.keyboard.press('1');
-  await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
+  await demo.planned();
   await demo.finish();
   t.check(/next to the chair/.test(await demo.plain()), await demo.plain());
 });

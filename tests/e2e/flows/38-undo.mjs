@@ -42,6 +42,7 @@ flow('everything is undone to the first view, and done again', async (t) => {
   t.equal(forth.at(-1)[3], ['schlep the block to the green room'], 'the lesson is back');
   t.equal(forth.slice(1, -1), back.toReversed().slice(1, -1), 'the same way forth');
   await demo.ask('schlep the block to the red room');
+  await demo.planned();
   await demo.finish();
   t.check(/block in the red room/.test(await demo.world()), 'what was taught works still');
 });

@@ -3,9 +3,9 @@
 use super::{Page, failed, model, outside, plan, reading, understood, word, world};
 use groundling::domain::Color;
 use groundling::ui::app::Action;
+use groundling::ui::page::coming::Resource;
 use groundling::ui::page::effect::Effect;
 use groundling::ui::page::language::Language;
-use groundling::ui::page::coming::Resource;
 use groundling::ui::talk;
 use groundling::ui::talk::command::ask::question;
 use groundling::ui::talk::room::state::Mode;

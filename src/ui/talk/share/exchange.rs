@@ -3,9 +3,9 @@
 
 use super::session::Session;
 use super::state::{Link, Resume, Sharing};
+use crate::ui::page::coming::Resource;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::model;
-use crate::ui::page::coming::Resource;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::ask;
 use crate::ui::talk::state::State;
