@@ -1,10 +1,10 @@
 // Messages to and from an engine, as far as the flows that measure need them: postcard's form (`protocol/wire.rs`), fields
 // in order without names. A test that reads wrong bytes fails loudly, so nothing here is checked.
 
-const VERSION = 5;
+const VERSION = 6;
 /** Places of the kinds in `Request` and `Event`. */
-const REQUESTS = { plan: 7, values: 8, roll_out: 9 };
-const EVENTS = { 10: 'planning', 11: 'planned', 12: 'values', 13: 'rolling_out', 14: 'rolled_out' };
+const REQUESTS = { plan: 8, values: 9, roll_out: 10 };
+const EVENTS = { 11: 'planning', 12: 'planned', 13: 'values', 14: 'rolling_out', 15: 'rolled_out' };
 
 /** A whole number, seven bits a byte, the lowest first. */
 function whole(n) {

@@ -59,7 +59,7 @@ async function answers(page, requests) {
     await next();
     const all = [];
     // The third byte is the kind: news of planning, or of runs, are no answers.
-    const isNews = (said) => said[2] === 10 || said[2] === 13;
+    const isNews = (said) => said[2] === 11 || said[2] === 14;
     for (const message of messages) {
       const start = performance.now();
       engine.postMessage(Uint8Array.from(message));
