@@ -157,7 +157,9 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
             let part = fill_piece(model, &hearing, piece, config);
             (!part.readings.is_empty()).then_some(part)
         });
-        parse = part.map_or(parse.clone(), |part| parse.or_else(part));
+        if let Some(part) = part {
+            parse = parse.or_else(part);
+        }
     }
     for leniency in [Leniency::Unknown, Leniency::Any] {
         if parse.readings.is_empty() {
