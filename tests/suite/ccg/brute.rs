@@ -23,6 +23,18 @@ pub(super) struct Admitted {
     pub(super) vacuous: bool,
 }
 
+impl Admitted {
+    /// How a derivation was made, as far as is asked here: that a bare phrase is no command beside another, always.
+    fn made(self, derived: &Derived) -> Made {
+        match derived.made {
+            Made::ByForwardComposition | Made::ByBackwardComposition if !self.normal_form => {
+                Made::Plainly
+            }
+            made => made,
+        }
+    }
+}
+
 /// What a chart admits.
 pub(super) const NORMAL_FORM: Admitted = Admitted { normal_form: true, vacuous: false };
 
@@ -36,9 +48,7 @@ pub(super) fn goals(
     let mut best: BTreeMap<String, f64> = BTreeMap::new();
     for found in derive(model, lexical, (0, n_words), admitted) {
         let Category { syntax, meaning } = found.category;
-        if model.grammar.syntaxes.text(syntax) == "S"
-            && model.grammar.terms.ty(meaning) == ty::TRUTH
-        {
+        if syntax.is_sentence() && model.grammar.terms.ty(meaning) == ty::TRUTH {
             let root = root_features(&model.grammar.terms, &model.grammar.sorts, meaning);
             let score = root.iter().fold(found.score, |sum, &f| sum + model.features.value(f));
             let known = best.entry(print(&model.grammar.terms, meaning)).or_insert(score);
@@ -53,7 +63,7 @@ pub(super) fn derivations(model: &mut Model, n_words: usize, lexical: &[Lexical]
     let found = derive(model, lexical, (0, n_words), NORMAL_FORM);
     let is_goal = |found: &&Derived| {
         let Category { syntax, meaning } = found.category;
-        model.grammar.syntaxes.text(syntax) == "S" && model.grammar.terms.ty(meaning) == ty::TRUTH
+        syntax.is_sentence() && model.grammar.terms.ty(meaning) == ty::TRUTH
     };
     found.iter().filter(is_goal).count()
 }
@@ -80,7 +90,7 @@ fn derive(
                     model.grammar.combine(rule, meanings.0, meanings.1, admitted.vacuous);
                 if let Some(meaning) = combined
                     && model.grammar.fits(meaning)
-                    && (!admitted.normal_form || rule.admits(l.made, r.made))
+                    && rule.admits(admitted.made(l), admitted.made(r))
                 {
                     let own = step(model, rule, &[meanings.0, meanings.1], meaning);
                     let score = l.score + r.score + own;
