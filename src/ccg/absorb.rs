@@ -1,12 +1,13 @@
 //! Words that mean nothing here, such as "please": their neighbour absorbs them. Which they are is learned like any
 //! meaning, by entries of category EMPTY (after the skipping entries of Artzi and Zettlemoyer's SPF); skipping a word
 //! that no entry calls empty is the same at a price. There is one way to absorb a word, so readings do not multiply.
-//! A closed word never goes without meaning.
+//! A closed word never goes without meaning; nor, behind one that turns round, does what it may speak of.
 
 use super::chart::Lexical;
-use super::closed::closed;
-use super::lexicon::EntryId;
+use super::closed::{Kind, closed};
+use super::lexicon::{EntryId, Origin};
 use super::model::Model;
+use super::syntax::{Atom, SyntaxId, Syntaxes};
 
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -15,18 +16,68 @@ pub enum Leniency {
     Learned,
     /// Those and the words that the lexicon does not know.
     Unknown,
-    /// Any but closed ones.
+    /// Any but closed ones, and those that one of them turns.
     Any,
 }
 
-/// For every word the entry by which it means nothing, if the lexicon has one and the word is not closed.
+/// For every word the entry by which it means nothing, if the lexicon has one and the word may be silent.
 pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
-    let empty = |(word, closed): (&String, Option<_>)| {
+    let empty = |(word, may_be_silent): (&String, _)| {
         let entries = model.lexicon.entries_for_word(word);
         let is_empty = |&entry: &EntryId| model.lexicon.is_empty_entry(entry);
-        entries.iter().copied().find(is_empty).filter(|_| closed.is_none())
+        entries.iter().copied().find(is_empty).filter(|_| may_be_silent)
     };
-    words.iter().zip(closed(words)).map(empty).collect()
+    words.iter().zip(may_be_silent(model, words)).map(empty).collect()
+}
+
+/// For every word whether it may go without meaning. Behind a word that turns round, a verb that begins another clause may
+/// not: silent, it would have that denied, too. A preposition next to the turning word says what is turned ("not to the red
+/// room but to the blue one").
+fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
+    let closed = closed(words);
+    let clauses = clauses_behind(model, words, &closed);
+    let is_turned = |at: usize| {
+        at > 0 && closed[at - 1] == Some(Kind::Turns) && is(model, &words[at], is_preposition)
+    };
+    let all = 0..words.len();
+    all.map(|at| closed[at].is_none() && !clauses.contains(&at) && !is_turned(at)).collect()
+}
+
+/// Where other clauses begin behind a word that turns round, whose own verb is itself or the next ("don't go to the red room,
+/// go to the blue one"). Verbs next to one another are one ("go get").
+pub(super) fn clauses_behind(
+    model: &Model,
+    words: &[String],
+    closed: &[Option<Kind>],
+) -> Vec<usize> {
+    let Some(turn) = closed.iter().position(|&kind| kind == Some(Kind::Turns)) else {
+        return Vec::new();
+    };
+    let behind = turn..words.len();
+    let verbs: Vec<usize> = behind.filter(|&at| is(model, &words[at], is_verb)).collect();
+    let begins = verbs.windows(2).filter(|pair| pair[0] + 1 < pair[1]);
+    begins.map(|pair| pair[1]).collect()
+}
+
+/// Whether the seed has the word in a syntactic category of a kind.
+fn is(model: &Model, word: &str, kind: fn(&Syntaxes, SyntaxId) -> bool) -> bool {
+    model.lexicon.entries_for_word(word).iter().any(|&entry| {
+        let syntax = model.lexicon.category(entry).syntax;
+        model.lexicon.origin(entry) == Origin::Seed && kind(&model.grammar.syntaxes, syntax)
+    })
+}
+
+/// `S/PP`, `S/NP` and what takes more.
+fn is_verb(all: &Syntaxes, syntax: SyntaxId) -> bool {
+    let Some((result, argument)) = all.forward(syntax) else { return false };
+    let takes = all.is(argument, Atom::NP) || all.is(argument, Atom::PP);
+    takes && (all.is(result, Atom::S) || is_verb(all, result))
+}
+
+/// `PP/NP`.
+fn is_preposition(all: &Syntaxes, syntax: SyntaxId) -> bool {
+    let parts = all.forward(syntax);
+    parts.is_some_and(|(result, argument)| all.is(result, Atom::PP) && all.is(argument, Atom::NP))
 }
 
 /// What it adds to a score to leave each word without meaning, by the entry given for that if there is one; `None`
@@ -37,16 +88,16 @@ pub fn absorption(
     empty: &[Option<EntryId>],
     leniency: Leniency,
 ) -> Vec<Option<f64>> {
-    let cost = |((word, &empty), closed): ((&String, &Option<EntryId>), Option<_>)| {
+    let cost = |((word, &empty), may_be_silent): ((&String, &Option<EntryId>), bool)| {
         let may = match leniency {
-            _ if closed.is_some() => false,
+            _ if !may_be_silent => false,
             Leniency::Any => true,
             Leniency::Unknown => empty.is_some() || !model.lexicon.knows(word),
             Leniency::Learned => empty.is_some(),
         };
         may.then(|| model.value(&model.absorption_features(word, empty)))
     };
-    words.iter().zip(empty).zip(closed(words)).map(cost).collect()
+    words.iter().zip(empty).zip(may_be_silent(model, words)).map(cost).collect()
 }
 
 /// The items, each also over the empty words to its right; those at the beginning of the sentence are absorbed by

@@ -61,6 +61,8 @@ pub enum Made {
     ByBackwardComposition,
     /// By a shift: it may not shift again.
     ByShift,
+    /// By putting commands side by side: it may not stand at the right of another.
+    Beside,
 }
 
 /// The variable of the binder around. The parts are closed, so that nothing needs raising below a new binder.
@@ -72,7 +74,7 @@ pub const RULES: &[Rule] = &[
         name: ">",
         syntax: |all, left, right| {
             let (result, argument) = all.forward(left)?;
-            (argument == right).then_some(result)
+            all.applied(result, argument, right)
         },
         meaning: |terms, left, right| terms.apply(left, right),
         written: |left, right| left.applied(vec![right]),
@@ -83,7 +85,7 @@ pub const RULES: &[Rule] = &[
         name: "<",
         syntax: |all, left, right| {
             let (result, argument) = all.backward(right)?;
-            (argument == left).then_some(result)
+            all.applied(result, argument, left)
         },
         meaning: |terms, left, right| terms.apply(right, left),
         written: |left, right| right.applied(vec![left]),
@@ -145,13 +147,18 @@ pub const RULES: &[Rule] = &[
     Rule {
         name: "&",
         syntax: |all, left, right| {
-            let begins = all.is(left, Atom::S) || left == SyntaxId::LIST;
-            (begins && all.is(right, Atom::S)).then_some(SyntaxId::LIST)
+            let is_command = |part| all.is(part, Atom::S);
+            let joins = match (left, right) {
+                (SyntaxId::LIST, last) => is_command(last),
+                (first, SyntaxId::LIST) => is_command(first),
+                (first, last) => is_command(first) && is_command(last),
+            };
+            joins.then_some(SyntaxId::LIST)
         },
         meaning: |terms, left, right| terms.conjoin(&[left, right]),
         written: |left, right| Expression::Name("and".into()).applied(vec![left, right]),
         functor: Side::Beside,
-        made: Made::Plainly,
+        made: Made::Beside,
     },
 ];
 
@@ -358,7 +365,7 @@ impl RuleId {
         match RULES.get(usize::from(self.0)).map(|rule| rule.functor) {
             Some(Side::Left) => left != Made::ByForwardComposition,
             Some(Side::Right) => right != Made::ByBackwardComposition,
-            Some(Side::Beside) => right != Made::ByShift,
+            Some(Side::Beside) => !matches!(right, Made::ByShift | Made::Beside),
             _ => true,
         }
     }

@@ -2,7 +2,7 @@
 //! skips words or throws meanings away, and says which; when there is no single answer, why. No reading is silent about a
 //! closed word: what can be read only without one is no answer.
 
-use super::absorb::{Leniency, absorbing, absorption};
+use super::absorb::{Leniency, absorbing, absorption, clauses_behind};
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Lexical};
 use super::closed::Kind;
@@ -239,7 +239,7 @@ fn idiom(model: &Model, hearing: &Hearing) -> Option<Lexical> {
 }
 
 /// The stretches of a sentence without closed words, the last one first: a part of it that could be done. Behind a word
-/// that turns round stands what is denied, or before it where nothing is said behind.
+/// that turns round stands what is denied, or before it where nothing is said behind; but not what another verb begins.
 fn pieces(model: &Model, hearing: &Hearing) -> Vec<(usize, usize)> {
     let Hearing { words, closed, .. } = hearing;
     let turn = closed.iter().position(|&kind| kind == Some(Kind::Turns));
@@ -251,6 +251,11 @@ fn pieces(model: &Model, hearing: &Hearing) -> Vec<(usize, usize)> {
         return Vec::new();
     }
     let end = turn.unwrap_or(closed.len());
+    let rest = |start: usize| {
+        let turned = turn.is_some_and(|turn| closed[turn + 1..start].contains(&Some(Kind::Turns)));
+        (!turned && closed[start..].iter().all(Option::is_none)).then_some((start, words.len()))
+    };
+    let clauses = clauses_behind(model, words, closed).into_iter();
     let bounds = (0..end).filter(|&at| closed[at].is_some()).chain([end]);
     let mut pieces = Vec::new();
     let mut start = 0;
@@ -260,6 +265,7 @@ fn pieces(model: &Model, hearing: &Hearing) -> Vec<(usize, usize)> {
         }
         start = end + 1;
     }
+    pieces.extend(clauses.filter_map(rest));
     pieces.reverse();
     pieces
 }

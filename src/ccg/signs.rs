@@ -1,6 +1,5 @@
 //! What a parse shows of how far its answer can be trusted, and the probability that the model's map makes of that.
 
-use super::combinator::RuleId;
 use super::derivation::Derivation;
 use super::doubt::Signs;
 use super::features::{Feature, root_features};
@@ -8,6 +7,7 @@ use super::hearing::taken;
 use super::lexicon::Origin;
 use super::model::Model;
 use super::parse::Parse;
+use super::syntax::SyntaxId;
 
 /// The probability that a parse's one answer is what was meant, and whether to ask before it is done; `None` without an
 /// answer, and where the model has no map for it.
@@ -41,7 +41,7 @@ pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
     }
     let root = root_features(&model.grammar.terms, &model.grammar.sorts, best.form);
     let unseen = root.iter().filter(|&&feature| model.features.weight(feature) == 0.0).count();
-    let beside = model.grammar.rule_named("&").map_or(0, |rule| uses(&derivation, rule));
+    let is_list = derivation.category().syntax == SyntaxId::LIST;
     let misspelt = parse.words.iter().zip(words).filter(|(word, heard)| word != heard).count();
     let share = |count: usize, most: usize| count.min(most) as f64 / most as f64;
     let values = [
@@ -58,7 +58,7 @@ pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
         ("length", n_words.min(20.0) / 20.0),
         ("closed", f64::from(u8::from(parse.hearing.closed.iter().any(Option::is_some)))),
         ("unseen", unseen as f64 / root.len().max(1) as f64),
-        ("beside", f64::from(u8::from(beside > 0))),
+        ("beside", f64::from(u8::from(is_list))),
         ("predicates", share(model.grammar.terms.predicates(best.form) as usize, 12)),
     ];
     let mut signs: Signs = values.map(|(name, value)| (name.to_owned(), value)).into();
@@ -71,15 +71,4 @@ pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
         }
     }
     Some(signs)
-}
-
-/// How often a derivation uses a rule.
-fn uses(derivation: &Derivation, wanted: RuleId) -> usize {
-    match derivation {
-        Derivation::Leaf { .. } => 0,
-        Derivation::Node { rule, children, .. } => {
-            let below: usize = children.iter().map(|child| uses(child, wanted)).sum();
-            below + usize::from(*rule == wanted)
-        }
-    }
 }

@@ -23,8 +23,9 @@ impl SyntaxId {
 
 /// The atoms: sentence, noun, noun phrase, prepositional phrase, adverbial phrase, predicative adjective;
 /// what means nothing here, which its neighbour absorbs; a prohibition, which is a sentence alone and no clause of
-/// another (beside a goal it would hold all the time, not at the end); and several commands side by side, which are a
-/// sentence alone too (what is said of the first is not said of all).
+/// another (beside a goal it would hold all the time, not at the end); several commands side by side, which are a
+/// sentence alone too (what is said of the first is not said of all); and what a prohibition alone takes, two things of
+/// which neither is to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "the names are the categories'")]
 pub enum Atom {
@@ -37,9 +38,10 @@ pub enum Atom {
     EMPTY,
     NEG,
     LIST,
+    ALT,
 }
 
-const ATOMS: [(Atom, &str); 9] = [
+const ATOMS: [(Atom, &str); 10] = [
     (Atom::S, "S"),
     (Atom::N, "N"),
     (Atom::NP, "NP"),
@@ -49,6 +51,7 @@ const ATOMS: [(Atom, &str); 9] = [
     (Atom::EMPTY, "EMPTY"),
     (Atom::NEG, "NEG"),
     (Atom::LIST, "LIST"),
+    (Atom::ALT, "ALT"),
 ];
 
 /// Where a functor looks for its argument: `/` to the right, `\` to the left.
@@ -148,6 +151,22 @@ impl Syntaxes {
         self.get(id) == Syntax::Atom(atom)
     }
 
+    /// What comes of `result/argument` or `result\argument` applied to a constituent: what modifies a command modifies
+    /// several side by side.
+    pub(super) fn applied(
+        &self,
+        result: SyntaxId,
+        argument: SyntaxId,
+        to: SyntaxId,
+    ) -> Option<SyntaxId> {
+        let modifies_commands = [result, argument].iter().all(|&part| self.is(part, Atom::S));
+        match to {
+            _ if argument == to => Some(result),
+            SyntaxId::LIST if modifies_commands => Some(SyntaxId::LIST),
+            _ => None,
+        }
+    }
+
     /// How many arguments the category takes until an atom is left.
     pub fn arity(&self, id: SyntaxId) -> u32 {
         match self.get(id) {
@@ -159,7 +178,7 @@ impl Syntaxes {
     /// The type of what the category means; `None` where that is left open.
     pub fn ty(&self, types: &mut Types, id: SyntaxId) -> Option<TyId> {
         match self.get(id) {
-            Syntax::Atom(Atom::S | Atom::NEG | Atom::LIST) => Some(ty::TRUTH),
+            Syntax::Atom(Atom::S | Atom::NEG | Atom::LIST | Atom::ALT) => Some(ty::TRUTH),
             Syntax::Atom(Atom::NP) => Some(ty::ENTITY),
             Syntax::Atom(Atom::N | Atom::PP) => Some(types.function(ty::ENTITY, ty::TRUTH)),
             Syntax::Atom(Atom::AP | Atom::ADJ | Atom::EMPTY) => None,
