@@ -43,18 +43,18 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     all.map(|at| closed[at].is_none() && !clauses.contains(&at) && !is_turned(at)).collect()
 }
 
-/// Where other clauses begin behind a word that turns round, whose own verb is itself or the next ("don't go to the red room,
-/// go to the blue one"). Verbs next to one another are one ("go get").
+/// Where other clauses begin behind a word that turns round or orders, whose own verb is itself or the next ("don't go to the
+/// red room, go to the blue one"). Verbs next to one another are one ("go get").
 pub(super) fn clauses_behind(
     model: &Model,
     words: &[String],
     closed: &[Option<Kind>],
 ) -> Vec<usize> {
-    let Some(turn) = closed.iter().position(|&kind| kind == Some(Kind::Turns)) else {
-        return Vec::new();
-    };
-    let behind = turn..words.len();
-    let verbs: Vec<usize> = behind.filter(|&at| is(model, &words[at], is_verb)).collect();
+    let turns = |kind: &Option<Kind>| matches!(kind, Some(Kind::Turns | Kind::Orders));
+    let Some(turn) = closed.iter().position(turns) else { return Vec::new() };
+    let own = is(model, &words[turn], takes_thing).then_some(turn);
+    let behind = (turn + 1..words.len()).filter(|&at| is(model, &words[at], is_verb));
+    let verbs: Vec<usize> = own.into_iter().chain(behind).collect();
     let begins = verbs.windows(2).filter(|pair| pair[0] + 1 < pair[1]);
     begins.map(|pair| pair[1]).collect()
 }
@@ -72,6 +72,12 @@ fn is_verb(all: &Syntaxes, syntax: SyntaxId) -> bool {
     let Some((result, argument)) = all.forward(syntax) else { return false };
     let takes = all.is(argument, Atom::NP) || all.is(argument, Atom::PP);
     takes && (all.is(result, Atom::S) || is_verb(all, result))
+}
+
+/// `S/NP`, `S/PP/NP`: what is done to a thing.
+fn takes_thing(all: &Syntaxes, syntax: SyntaxId) -> bool {
+    let takes = all.forward(syntax).is_some_and(|(_, argument)| all.is(argument, Atom::NP));
+    takes && is_verb(all, syntax)
 }
 
 /// `PP/NP`.
