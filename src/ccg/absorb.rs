@@ -5,6 +5,7 @@
 
 use super::chart::Lexical;
 use super::closed::closed;
+use super::features::Feature;
 use super::lexicon::EntryId;
 use super::model::Model;
 
@@ -37,16 +38,27 @@ pub fn absorption(
     empty: &[Option<EntryId>],
     leniency: Leniency,
 ) -> Vec<Option<f64>> {
-    let cost = |((word, &empty), closed): ((&String, &Option<EntryId>), Option<_>)| {
+    let costs = absorbed(model, words, empty, leniency).into_iter();
+    costs.map(|features| features.map(|features| model.value(&features))).collect()
+}
+
+/// By what it is scored to leave each word without meaning; `None` where that may not be.
+pub fn absorbed(
+    model: &Model,
+    words: &[String],
+    empty: &[Option<EntryId>],
+    leniency: Leniency,
+) -> Vec<Option<Vec<Feature>>> {
+    let features = |((word, &empty), closed): ((&String, &Option<EntryId>), Option<_>)| {
         let may = match leniency {
             _ if closed.is_some() => false,
             Leniency::Any => true,
             Leniency::Unknown => empty.is_some() || !model.lexicon.knows(word),
             Leniency::Learned => empty.is_some(),
         };
-        may.then(|| model.value(&model.absorption_features(word, empty)))
+        may.then(|| model.absorption_features(word, empty))
     };
-    words.iter().zip(empty).zip(closed(words)).map(cost).collect()
+    words.iter().zip(empty).zip(closed(words)).map(features).collect()
 }
 
 /// The items, each also over the empty words to its right; those at the beginning of the sentence are absorbed by
