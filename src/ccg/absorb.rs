@@ -5,6 +5,7 @@
 
 use super::chart::Lexical;
 use super::closed::{Kind, closed};
+use super::features::Feature;
 use super::lexicon::{EntryId, Origin};
 use super::model::Model;
 use super::syntax::{Atom, SyntaxId, Syntaxes};
@@ -94,16 +95,27 @@ pub fn absorption(
     empty: &[Option<EntryId>],
     leniency: Leniency,
 ) -> Vec<Option<f64>> {
-    let cost = |((word, &empty), may_be_silent): ((&String, &Option<EntryId>), bool)| {
+    let costs = absorbed(model, words, empty, leniency).into_iter();
+    costs.map(|features| features.map(|features| model.value(&features))).collect()
+}
+
+/// By what it is scored to leave each word without meaning; `None` where that may not be.
+pub fn absorbed(
+    model: &Model,
+    words: &[String],
+    empty: &[Option<EntryId>],
+    leniency: Leniency,
+) -> Vec<Option<Vec<Feature>>> {
+    let features = |((word, &empty), may_be_silent): ((&String, &Option<EntryId>), bool)| {
         let may = match leniency {
             _ if !may_be_silent => false,
             Leniency::Any => true,
             Leniency::Unknown => empty.is_some() || !model.lexicon.knows(word),
             Leniency::Learned => empty.is_some(),
         };
-        may.then(|| model.value(&model.absorption_features(word, empty)))
+        may.then(|| model.absorption_features(word, empty))
     };
-    words.iter().zip(empty).zip(may_be_silent(model, words)).map(cost).collect()
+    words.iter().zip(empty).zip(may_be_silent(model, words)).map(features).collect()
 }
 
 /// The items, each also over the empty words to its right; those at the beginning of the sentence are absorbed by

@@ -317,6 +317,11 @@ impl Grammar {
         shifted.collect()
     }
 
+    /// The rules, shifts behind the rest.
+    pub(super) fn rules(&self) -> impl Iterator<Item = RuleId> + use<> {
+        (0..(RULES.len() + self.shifts.len()) as u8).map(RuleId)
+    }
+
     /// A rule's name.
     pub fn rule_name(&self, rule: RuleId) -> &str {
         match RULES.get(usize::from(rule.0)) {

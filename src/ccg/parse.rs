@@ -4,7 +4,7 @@
 
 use super::absorb::{Leniency, absorbing, absorption, clauses_behind};
 use super::category::Category;
-use super::chart::{Chart, ChartConfig, Lexical};
+use super::chart::{Chart, ChartConfig, Edge, Lexical};
 use super::closed::Kind;
 use super::combinator::Grammar;
 use super::derivation::Derivation;
@@ -15,7 +15,9 @@ use super::lookup::lexical_item;
 use super::model::Model;
 use super::sentence::{MAX_WORDS, words};
 use crate::logic::{Node, TermId, Terms, TyId, print, ty};
-use rustc_hash::FxHashMap;
+use indexmap::IndexMap;
+use rustc_hash::FxBuildHasher;
+use std::cmp::Ordering;
 
 /// Why a command has no single answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,6 +110,11 @@ impl Parse {
     /// Whether the chart ran out of its budget: there may be better readings.
     pub fn over_budget(&self) -> bool {
         self.chart.over_budget
+    }
+
+    /// The chart that the readings come of.
+    pub fn chart(&self) -> &Chart {
+        &self.chart
     }
 
     /// The one best reading, if there is just one.
@@ -316,35 +323,45 @@ pub fn fill(
 /// The distinct goals among a chart's roots, ranked. Goals that differ in the order of the arguments of a
 /// commutative relation are one, printed as the better derivation has it.
 fn readings(model: &mut Model, chart: &Chart) -> Vec<Reading> {
-    let mut best: FxHashMap<TermId, Reading> = FxHashMap::default();
+    let mut found = Vec::new();
     for edge in chart.roots() {
-        let found = chart.edge(edge);
-        let form = found.category.meaning;
-        if !found.category.syntax.is_sentence() || model.grammar.terms.ty(form) != ty::TRUTH {
+        if !is_goal(model, chart.edge(edge)) {
             continue;
         }
+        let Edge { category, score, .. } = *chart.edge(edge);
+        let form = category.meaning;
         let root = root_features(&model.grammar.terms, &model.grammar.sorts, form);
-        let score = root.iter().fold(found.score, |sum, &f| sum + model.features.value(f));
-        let reading = Reading { form, score, edge };
+        let score = root.iter().fold(score, |sum, &f| sum + model.features.value(f));
         let key = commuted(&mut model.grammar.terms, &model.grammar.commutative, form);
+        found.push((key, Reading { form, score, edge }));
+    }
+    let terms = &model.grammar.terms;
+    ranked(found, |a, b| print(terms, a.form).cmp(&print(terms, b.form)))
+}
+
+/// Whether an edge over a whole sentence means a goal.
+pub(super) fn is_goal(model: &Model, edge: &Edge) -> bool {
+    let Category { syntax, meaning } = edge.category;
+    syntax.is_sentence() && model.grammar.terms.ty(meaning) == ty::TRUTH
+}
+
+/// The best of the readings that share a key, ranked; `printed` orders them by their printed forms.
+pub(super) fn ranked(
+    found: impl IntoIterator<Item = (TermId, Reading)>,
+    printed: impl Fn(&Reading, &Reading) -> Ordering,
+) -> Vec<Reading> {
+    let order =
+        |a: &Reading, b: &Reading| rank(b.score).cmp(&rank(a.score)).then_with(|| printed(a, b));
+    let mut best: IndexMap<TermId, Reading, FxBuildHasher> = IndexMap::default();
+    for (key, reading) in found {
         let known = best.entry(key).or_insert(reading);
-        if precedes(&model.grammar.terms, &reading, known) {
+        if order(&reading, known).is_lt() {
             *known = reading;
         }
     }
     let mut readings: Vec<Reading> = best.into_values().collect();
-    let terms = &model.grammar.terms;
-    readings.sort_by(|a, b| {
-        rank(b.score)
-            .cmp(&rank(a.score))
-            .then_with(|| print(terms, a.form).cmp(&print(terms, b.form)))
-    });
+    readings.sort_by(order);
     readings
-}
-
-fn precedes(terms: &Terms, a: &Reading, b: &Reading) -> bool {
-    let (x, y) = (rank(a.score), rank(b.score));
-    x > y || (x == y && print(terms, a.form) < print(terms, b.form))
 }
 
 /// Scores that differ by less than a billionth are the same: sums run in the order of the derivation.
@@ -353,7 +370,11 @@ fn rank(score: f64) -> i64 {
 }
 
 /// The form with the arguments of commutative relations in canonical order: what two equal readings share.
-fn commuted(terms: &mut Terms, commutative: &[crate::logic::ConstantId], term: TermId) -> TermId {
+pub(super) fn commuted(
+    terms: &mut Terms,
+    commutative: &[crate::logic::ConstantId],
+    term: TermId,
+) -> TermId {
     let result = match terms.node(term) {
         Node::Constant(_) | Node::Variable(_) => return term,
         Node::Lambda { parameter, body } => {

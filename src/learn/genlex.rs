@@ -4,7 +4,7 @@
 
 use super::novelty::novelty;
 use crate::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
-use crate::ccg::chart::{Chart, ChartConfig, Lexical, Step};
+use crate::ccg::chart::{Chart, ChartConfig, Derivations, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
 use crate::ccg::lookup::lexical_items;
@@ -152,7 +152,7 @@ fn coarse_chart(
     let costs = absorption(model, words, empty, Leniency::Learned);
     let items = absorbing(items, &costs);
     let Model { grammar, features, .. } = model;
-    let config = ChartConfig { all_derivations: true, allow_vacuous: true, ..config };
+    let config = ChartConfig { derivations: Derivations::All, allow_vacuous: true, ..config };
     let all = |_: &Grammar, _: (usize, usize), _: Category| true;
     Chart::fill(grammar, features, words.len(), items, all, config)
 }

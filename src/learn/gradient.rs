@@ -5,6 +5,7 @@
 
 use crate::ccg::{Feature, Features, Vector};
 use crate::logic::TermId;
+use std::rc::Rc;
 
 /// How far a step goes.
 const RATE: f64 = 0.3;
@@ -16,7 +17,7 @@ const LEAST: f64 = 1e-4;
 /// them are valid stands in the same order.
 pub fn update(
     features: &mut Features,
-    readings: &[(TermId, Vector)],
+    readings: &[(TermId, Rc<Vector>)],
     valid: &[bool],
     margin: f64,
     moment: f64,
@@ -27,12 +28,12 @@ pub fn update(
 /// The same step for those weights alone that `moves` lets move; margin and moment.
 pub fn update_where(
     features: &mut Features,
-    readings: &[(TermId, Vector)],
+    readings: &[(TermId, Rc<Vector>)],
     valid: &[bool],
     (margin, moment): (f64, f64),
     moves: impl Fn(Feature) -> bool,
 ) -> bool {
-    let score = |((_, vector), &valid): (&(TermId, Vector), &bool)| {
+    let score = |((_, vector), &valid): (&(TermId, Rc<Vector>), &bool)| {
         features.dot(vector) + if valid { 0.0 } else { margin }
     };
     let scores: Vec<f64> = readings.iter().zip(valid).map(score).collect();

@@ -11,6 +11,7 @@ use crate::ground::Validator;
 use crate::logic::TermId;
 use indexmap::IndexMap;
 use rustc_hash::FxHashSet;
+use std::rc::Rc;
 
 /// Passes over the new examples with each [`Reach`].
 const PASSES: u32 = 8;
@@ -163,7 +164,7 @@ impl Teaching {
         self.settled = true;
     }
 
-    fn update(&mut self, readings: &[(TermId, Vector)], valid: &[bool]) {
+    fn update(&mut self, readings: &[(TermId, Rc<Vector>)], valid: &[bool]) {
         let lexicon = &self.trainer.model().lexicon;
         let from = if self.reach == Reach::New { self.n_entries } else { 0 };
         let learned = |id: &EntryId| lexicon.origin(*id) != Origin::Seed;
@@ -206,7 +207,7 @@ impl Teaching {
 }
 
 /// Whether the best valid reading leads.
-fn is_settled(features: &Features, readings: &[(TermId, Vector)], valid: &[bool]) -> bool {
+fn is_settled(features: &Features, readings: &[(TermId, Rc<Vector>)], valid: &[bool]) -> bool {
     let best = |wanted: bool| {
         let members = readings.iter().zip(valid).filter(|&(_, &valid)| valid == wanted);
         members.map(|((_, vector), _)| features.dot(vector)).reduce(f64::max)

@@ -5,14 +5,15 @@ use super::config::Config;
 use super::genlex::{Candidate, Generated, Scope, generate};
 use super::gradient::update;
 use super::idioms::{Command, Idioms};
+use super::kept::{Kept, Read};
 use super::planning::{PlannerCost, Planning, Validation};
 use crate::ccg::absorb::{Leniency, absorbing, absorption};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::lookup::{lexical_item, lexical_items};
 use crate::ccg::parse::{Parse, fill};
 use crate::ccg::{
-    Atom, Category, Derivation, EntryId, Features, Grammar, Hearing, MAX_WORDS, Model, Origin,
-    Reading, Vector, words,
+    Atom, Category, Derivation, EntryId, Features, Grammar, MAX_WORDS, Model, Origin, Reading,
+    Vector, words,
 };
 use crate::corpus::Example;
 use crate::ground::PairId;
@@ -21,6 +22,7 @@ use indexmap::IndexMap;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use rustc_hash::FxBuildHasher;
+use std::rc::Rc;
 
 /// How far training is, after an example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -107,6 +109,7 @@ pub struct Trainer {
     items: Vec<Item>,
     n_examples: usize,
     validator: Validation,
+    kept: Kept,
     order: Vec<u32>,
     epoch: u32,
     next: usize,
@@ -135,10 +138,12 @@ impl Trainer {
             let pairs = pairs.map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
             items.entry(words(&example.command)).or_default().push(pairs);
         }
-        let items = items.into_iter().map(|(words, examples)| Item { words, examples }).collect();
+        let items: Vec<Item> =
+            items.into_iter().map(|(words, examples)| Item { words, examples }).collect();
         let mut trainer = Trainer {
             model,
             config,
+            kept: Kept::new(items.len()),
             items,
             n_examples: examples.len(),
             validator,
@@ -424,7 +429,7 @@ impl Trainer {
     }
 
     /// For each example of a command which of its readings are valid.
-    pub(super) fn judge(&mut self, at: usize, readings: &[(TermId, Vector)]) -> Vec<Vec<bool>> {
+    pub(super) fn judge(&mut self, at: usize, readings: &[(TermId, Rc<Vector>)]) -> Vec<Vec<bool>> {
         let mut judged = Vec::with_capacity(self.items[at].examples.len());
         for pairs in &self.items[at].examples {
             let mut valid = |form| self.validator.valid(&self.model.grammar.terms, form, pairs);
@@ -434,24 +439,13 @@ impl Trainer {
     }
 
     /// The goals that the lexicon alone reads, with their features; whether the chart is not whole.
-    pub(super) fn read(&mut self, at: usize) -> (Vec<(TermId, Vector)>, bool) {
+    pub(super) fn read(&mut self, at: usize) -> Read {
         let words = &self.items[at].words;
         if !can_parse(words) {
             return (Vec::new(), false);
         }
-        let hearing = Hearing::new(&self.model, words);
-        let Hearing { words, empty, .. } = &hearing;
-        let costs = absorption(&self.model, words, empty, Leniency::Learned);
-        let items = absorbing(hearing.items(&mut self.model), &costs);
         let config = chart_config(self.config.beam, self.config.budget);
-        let parse = fill(&mut self.model, words, items, |_, _, _| true, config);
-        let mut readings = Vec::with_capacity(parse.readings.len());
-        for &reading in &parse.readings {
-            let derivation = parse.derivation(reading);
-            let occurring = derivation.features(&self.model, reading.form, words, empty);
-            readings.push((reading.form, self.model.features.vector(&occurring)));
-        }
-        (readings, parse.over_budget())
+        self.kept.read(at, &mut self.model, words, config)
     }
 }
 

@@ -3,6 +3,7 @@
 
 use super::brute::{Admitted, NORMAL_FORM};
 use super::{AMBIGUOUS, brute, model, model_over};
+use groundling::ccg::chart::Derivations;
 use groundling::ccg::lookup::lexical_items;
 use groundling::ccg::parse::fill;
 use groundling::ccg::{ChartConfig, Feature, Model, Reason, RuleId, parse, words};
@@ -16,7 +17,7 @@ use std::collections::BTreeMap;
 pub(super) const WITHOUT_END: ChartConfig = ChartConfig {
     beam: usize::MAX,
     budget: usize::MAX,
-    all_derivations: false,
+    derivations: Derivations::Best,
     allow_vacuous: false,
     allow_throwing: false,
 };

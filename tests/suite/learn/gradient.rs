@@ -5,6 +5,7 @@ use groundling::learn::gradient;
 use groundling::logic::{Terms, read};
 use proptest::prelude::{Strategy, any, prop};
 use proptest::{prop_assert, prop_assert_eq, proptest};
+use std::rc::Rc;
 
 /// Learned features of two kinds: one of scale 1, two of scale ½.
 fn learned() -> [Feature; 3] {
@@ -23,7 +24,8 @@ struct Judged {
 /// The update by readings whose goals do not matter.
 fn update(features: &mut Features, judged: &[Judged], margin: f64, moment: f64) -> bool {
     let form = read(&mut Terms::new(), "true:t").unwrap();
-    let readings: Vec<_> = judged.iter().map(|reading| (form, reading.features.clone())).collect();
+    let readings: Vec<_> =
+        judged.iter().map(|reading| (form, Rc::new(reading.features.clone()))).collect();
     let valid: Vec<bool> = judged.iter().map(|reading| reading.valid).collect();
     gradient::update(features, &readings, &valid, margin, moment)
 }

@@ -1,0 +1,142 @@
+//! What training keeps of each command from one visit to the next: how it is heard, the entries that its words may have,
+//! and the forest of its goals, as long as the lexicon says the same of it. What is read so is what would be read anew.
+
+use crate::ccg::absorb::{Leniency, absorbed, absorbing};
+use crate::ccg::chart::{ChartConfig, Derivations, Lexical};
+use crate::ccg::hearing::taken;
+use crate::ccg::parse::fill;
+use crate::ccg::{EntryId, Feature, Forest, Hearing, Model, Vector};
+use crate::logic::TermId;
+use std::rc::Rc;
+
+/// Edges and derivations that all forests together may have: some 200 MB. What does not fit is read anew each time.
+const MOST: usize = 4_000_000;
+
+/// The goals that a command can mean, ranked, with their features; whether its chart is not whole.
+pub(super) type Read = (Vec<(TermId, Rc<Vector>)>, bool);
+
+/// What is kept of all commands of a run.
+#[derive(Default)]
+pub(super) struct Kept {
+    commands: Vec<Option<Command>>,
+    /// Edges and derivations of all forests.
+    size: usize,
+}
+
+/// What is kept of a command.
+struct Command {
+    /// The entries of the lexicon when the command was heard: with more it may be heard otherwise.
+    entries: usize,
+    heard: Heard,
+    forest: Option<Forest>,
+}
+
+/// What the lexicon says of a command.
+struct Heard {
+    hearing: Hearing,
+    /// Entries over their own words.
+    items: Vec<Lexical>,
+    /// What it adds to the score of each that its words are taken for others: no matter of training.
+    taken: Vec<f64>,
+    /// For every word that may go without meaning what that is scored by.
+    absorbed: Vec<Option<Vec<Feature>>>,
+}
+
+impl Kept {
+    /// For so many commands.
+    pub(super) fn new(commands: usize) -> Self {
+        Kept { commands: (0..commands).map(|_| None).collect(), size: 0 }
+    }
+
+    /// Reads the command of a place with the model as it stands.
+    pub(super) fn read(
+        &mut self,
+        at: usize,
+        model: &mut Model,
+        words: &[String],
+        config: ChartConfig,
+    ) -> Read {
+        let mut command = self.heard(at, model, words);
+        let lexical = command.heard.lexical(model);
+        let Hearing { words, empty, .. } = &command.heard.hearing;
+        if let Some(forest) = &mut command.forest {
+            forest.rescore(&model.grammar, &model.features, &lexical);
+            let readings = forest.readings(model, words, empty);
+            self.commands[at] = Some(command);
+            return (readings, false);
+        }
+        let config = ChartConfig { derivations: Derivations::Whole, ..config };
+        let parse = fill(model, words, lexical, |_, _, _| true, config);
+        let mut readings = Vec::with_capacity(parse.readings.len());
+        for &reading in &parse.readings {
+            let derivation = parse.derivation(reading);
+            let occurring = derivation.features(model, reading.form, words, empty);
+            readings.push((reading.form, Rc::new(model.features.vector(&occurring))));
+        }
+        if parse.chart().is_whole() && self.size < MOST {
+            let forest = Forest::of(model, parse.chart());
+            self.size += forest.size();
+            command.forest = Some(forest);
+        }
+        let over_budget = parse.over_budget();
+        self.commands[at] = Some(command);
+        (readings, over_budget)
+    }
+
+    /// What is kept of a command, brought up to date: its forest is gone if the lexicon says something else of it now.
+    fn heard(&mut self, at: usize, model: &mut Model, words: &[String]) -> Command {
+        let entries = model.lexicon.len();
+        match self.commands[at].take() {
+            Some(command) if command.entries == entries => command,
+            known => {
+                let heard = Heard::new(model, words);
+                let mut forest = None;
+                if let Some(Command { heard: before, forest: Some(own), .. }) = known {
+                    match before.is_like(&heard) {
+                        true => forest = Some(own),
+                        false => self.size -= own.size(),
+                    }
+                }
+                Command { entries, heard, forest }
+            }
+        }
+    }
+}
+
+impl Heard {
+    fn new(model: &mut Model, words: &[String]) -> Self {
+        let hearing = Hearing::new(model, words);
+        let items = hearing.items(model);
+        let Hearing { words, empty, .. } = &hearing;
+        let taken = |item: &Lexical| {
+            let (own, entry) = (&words[item.own.0..item.own.1], EntryId::from_item(item.item));
+            taken(model, own, entry).map_or(0.0, |(_, features)| model.value(&features))
+        };
+        let taken = items.iter().map(taken).collect();
+        let absorbed = absorbed(model, words, empty, Leniency::Learned);
+        Heard { hearing, items, taken, absorbed }
+    }
+
+    /// Whether another says the same, whatever it scores.
+    fn is_like(&self, other: &Heard) -> bool {
+        let is_like = |(a, b): (&Lexical, &Lexical)| Lexical { score: b.score, ..*a } == *b;
+        self.hearing.words == other.hearing.words
+            && self.hearing.empty == other.hearing.empty
+            && self.absorbed == other.absorbed
+            && self.taken == other.taken
+            && self.items.len() == other.items.len()
+            && self.items.iter().zip(&other.items).all(is_like)
+    }
+
+    /// What a chart is given, scored as the model stands.
+    fn lexical(&self, model: &Model) -> Vec<Lexical> {
+        let scored = |(item, taken): (&Lexical, &f64)| {
+            let score = model.entry_score(EntryId::from_item(item.item)) + taken;
+            Lexical { score, ..*item }
+        };
+        let items = self.items.iter().zip(&self.taken).map(scored).collect();
+        let value = |features: &Option<Vec<Feature>>| features.as_ref().map(|f| model.value(f));
+        let costs: Vec<Option<f64>> = self.absorbed.iter().map(value).collect();
+        absorbing(items, &costs)
+    }
+}
