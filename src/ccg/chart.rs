@@ -3,6 +3,7 @@
 //! split, left and right.
 
 use super::category::Category;
+use super::clauses::Clauses;
 use super::combinator::{Grammar, Made, RuleId};
 use super::syntax::SyntaxId;
 use std::cmp::Ordering;
@@ -31,6 +32,8 @@ pub struct ChartConfig {
     pub allow_vacuous: bool,
     /// Whether a functor or a shift may throw its argument away.
     pub allow_throwing: bool,
+    /// The clauses, which are read one by one.
+    pub clauses: Clauses,
 }
 
 impl Default for ChartConfig {
@@ -42,6 +45,7 @@ impl Default for ChartConfig {
             derivations: Derivations::Best,
             allow_vacuous: false,
             allow_throwing: false,
+            clauses: Clauses::ONE,
         }
     }
 }

@@ -5,7 +5,8 @@
 use super::category::Category;
 use super::syntax::{Atom, Direction, SyntaxId, Syntaxes};
 use crate::logic::{ConstantId, Expression, LogicError, Node, Sorts, TermId, Terms, ty};
-use rustc_hash::FxHashMap;
+use indexmap::IndexSet;
+use rustc_hash::FxBuildHasher;
 
 /// A row of [`RULES`], or after those a shift of the grammar's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -200,19 +201,32 @@ pub struct Grammar {
     pub commutative: Vec<ConstantId>,
     /// The type shifts. The order is the order of ties.
     pub shifts: Vec<Shift>,
-    rows: FxHashMap<(SyntaxId, SyntaxId), Rows>,
+    /// For every left and every right category the place of their rows in `known`, one more than that; 0 where it was
+    /// not asked yet.
+    rows: Vec<Vec<u32>>,
+    known: IndexSet<Rows, FxBuildHasher>,
 }
 
 impl Grammar {
     /// The rows that combine two syntactic categories, and what comes out: one look-up after the first time.
     pub fn rows(&mut self, left: SyntaxId, right: SyntaxId) -> &[(RuleId, SyntaxId)] {
-        let Grammar { syntaxes, rows, .. } = self;
-        rows.entry((left, right)).or_insert_with(|| {
+        let Grammar { syntaxes, rows, known, .. } = self;
+        if rows.len() <= left.index() {
+            rows.resize(left.index() + 1, Vec::new());
+        }
+        let row = &mut rows[left.index()];
+        if row.len() <= right.index() {
+            row.resize(right.index() + 1, 0);
+        }
+        let place = &mut row[right.index()];
+        if *place == 0 {
             let made = |(row, rule): (u8, &Rule)| {
                 Some((RuleId(row), (rule.syntax)(syntaxes, left, right)?))
             };
-            (0..).zip(RULES).filter_map(made).collect()
-        })
+            let found = (0..).zip(RULES).filter_map(made).collect();
+            *place = known.insert_full(found).0 as u32 + 1;
+        }
+        &known[*place as usize - 1]
     }
 
     /// The meaning that a row gives two neighbours; `None` when the meanings do not fit, the result would be too

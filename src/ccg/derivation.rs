@@ -143,7 +143,17 @@ impl Derivation {
         empty: &[Option<EntryId>],
     ) -> Vec<Feature> {
         let Grammar { terms, sorts, .. } = &model.grammar;
-        let mut features = root_features(terms, sorts, form);
+        self.features_besides(model, root_features(terms, sorts, form), words, empty)
+    }
+
+    /// The same, when the features of the goal as a whole are known.
+    pub fn features_besides(
+        &self,
+        model: &Model,
+        mut features: Vec<Feature>,
+        words: &[String],
+        empty: &[Option<EntryId>],
+    ) -> Vec<Feature> {
         for at in self.absorbed() {
             features.extend(model.absorption_features(&words[at], empty[at]));
         }

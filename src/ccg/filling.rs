@@ -12,8 +12,8 @@ use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// So many times more pairs than the beam holds are tried in the order of what they can score.
-const MANY: usize = 4;
+/// Edges kept of what clauses are put together to, where the beam is not narrower.
+const JOINED: usize = 32;
 /// Pairs after which it is asked whether the rest can reach the beam.
 const PATIENCE: usize = 64;
 
@@ -35,7 +35,7 @@ impl Chart {
         }
         let loss = features.value(Feature::Lost);
         let given = chart.lexical.iter().map(|item| (item.start, item.end, item.category.syntax));
-        let reach = Reach::new(grammar, words, given);
+        let reach = Reach::new(grammar, words, config.clauses, given);
         let cell = Cell { span: (0, 0), edges: Vec::new(), known: FxHashMap::default(), admit };
         let mut filling = Filling { chart, grammar, features, loss, config, items, reach, cell };
         for width in 1..=words {
@@ -124,6 +124,11 @@ impl Ord for Next {
 
 impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
     fn span(&mut self, start: usize, end: usize) {
+        if !self.reach.is_open(start, end) {
+            return;
+        }
+        let joined = self.config.clauses.part(start, end);
+        let beam = if joined { self.config.beam.min(JOINED) } else { self.config.beam };
         self.cell.known.clear();
         self.cell.span = (start, end);
         let items = std::mem::take(&mut self.items[start * (self.chart.words + 1) + end]);
@@ -137,14 +142,14 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
         }
         let grids = self.grids(start, end);
         let pairs = grids.iter().map(|grid| grid.left.len * grid.right.len);
-        let is_much = pairs.sum::<usize>() > self.config.beam.saturating_mul(MANY);
+        let is_much = pairs.sum::<usize>() > beam;
         if is_much && self.loss <= 0.0 && self.config.derivations != Derivations::All {
-            self.join_best(&grids);
+            self.join_best(&grids, beam);
         } else {
             self.join(&grids);
         }
         let first = self.chart.edges.len() as u32;
-        self.keep();
+        self.keep(beam);
         self.shift(first, start, end);
         self.store(first, start, end);
     }
@@ -208,7 +213,7 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
     }
 
     /// Puts pairs of neighbours together, those that can score most first, until the rest cannot reach the beam.
-    fn join_best(&mut self, grids: &[Grid]) {
+    fn join_best(&mut self, grids: &[Grid], beam: usize) {
         // What shifts made stands behind the rest of its group.
         let sorted = |chart: &Chart, group: Group| {
             let mut edges = chart.spans[group.span].groups[group.group].1.clone();
@@ -231,7 +236,7 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
         let mut seen = 0;
         while let Some(Next { bound, grid, row, column }) = open.pop() {
             seen += 1;
-            if seen % PATIENCE == 0 && self.is_full(bound) {
+            if seen % PATIENCE == 0 && self.is_full(bound, beam) {
                 self.chart.is_cut = true;
                 return;
             }
@@ -247,10 +252,9 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
     }
 
     /// Whether the beam is full of what scores more.
-    fn is_full(&self, score: f64) -> bool {
+    fn is_full(&self, score: f64, beam: usize) -> bool {
         let edges = &self.cell.edges;
-        edges.len() >= self.config.beam
-            && edges.iter().filter(|edge| edge.score > score).count() >= self.config.beam
+        edges.len() >= beam && edges.iter().filter(|edge| edge.score > score).count() >= beam
     }
 
     /// Puts two neighbours together, if the rule admits them; `false` when the budget is spent.
@@ -284,14 +288,14 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
     }
 
     /// Orders the cell and moves what the beam holds into the chart.
-    fn keep(&mut self) {
+    fn keep(&mut self, beam: usize) {
         let grammar = &*self.grammar;
         let order = |x: &Edge, y: &Edge| x.compare(y, grammar);
         let edges = &mut self.cell.edges;
-        if edges.len() > self.config.beam {
+        if edges.len() > beam {
             self.chart.is_cut = true;
-            edges.select_nth_unstable_by(self.config.beam, order);
-            edges.truncate(self.config.beam);
+            edges.select_nth_unstable_by(beam, order);
+            edges.truncate(beam);
         }
         edges.sort_unstable_by(order);
         self.chart.edges.append(edges);

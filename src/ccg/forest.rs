@@ -3,15 +3,15 @@
 //! Invariant: it comes of a chart that neither beam nor budget cut ([`Chart::is_whole`]), since which edges there are
 //! then does not hang on the weights.
 
-use super::chart::{Chart, Edge, Lexical, Step};
+use super::chart::{Chart, Lexical, Step};
 use super::combinator::{Grammar, Made, RuleId};
 use super::derivation::Derivation;
-use super::features::{Feature, Features, Vector, root_features};
+use super::features::{Feature, Features, Vector};
+use super::goals::{Goal, Goals};
 use super::lexicon::EntryId;
 use super::model::Model;
-use super::parse::{Reading, commuted, is_goal, ranked};
-use crate::logic::{TermId, print};
-use rustc_hash::FxHashMap;
+use super::parse::{Reading, is_goal, rank, ranked};
+use crate::logic::TermId;
 use std::cmp::Ordering;
 use std::rc::Rc;
 
@@ -27,8 +27,6 @@ pub struct Forest {
     /// One past each edge's derivations.
     ends: Vec<u32>,
     tops: Vec<Top>,
-    /// The order of the goals' printed forms.
-    printed: FxHashMap<TermId, u32>,
 }
 
 /// A derivation.
@@ -44,20 +42,16 @@ struct Way {
 #[derive(Debug)]
 struct Top {
     edge: u32,
-    form: TermId,
-    /// What it shares with goals that are the same.
-    key: TermId,
-    /// The features of the goal as a whole.
-    features: Vec<Feature>,
+    goal: Rc<Goal>,
     /// φ of its best derivation, once asked for.
     vector: Option<Rc<Vector>>,
 }
 
 impl Forest {
     /// The forest of a whole chart that keeps all derivations.
-    pub fn of(model: &mut Model, chart: &Chart) -> Self {
+    pub fn of(grammar: &mut Grammar, goals: &mut Goals, chart: &Chart) -> Self {
         let mut roots: Vec<u32> = chart.roots().collect();
-        roots.retain(|&root| is_goal(model, chart.edge(root)));
+        roots.retain(|&root| is_goal(grammar, chart.edge(root)));
         let mut below = chart.below(roots.iter().copied());
         below.sort_unstable_by_key(|&(.., edge)| edge);
         let place = |edge: u32| {
@@ -71,7 +65,7 @@ impl Forest {
                 let lost = |parts: &[u32]| {
                     let meaning = |&part: &u32| chart.edge(part).category.meaning;
                     let parts: Vec<TermId> = parts.iter().map(meaning).collect();
-                    model.grammar.lost(&parts, edge.category.meaning)
+                    grammar.lost(&parts, edge.category.meaning)
                 };
                 ways.push(match step {
                     Step::Lexical(item) => {
@@ -107,14 +101,12 @@ impl Forest {
             edge.step = ways[first].step;
             first = end as usize;
         }
-        let tops: Vec<Top> =
-            roots.into_iter().map(|root| top(model, place(root), chart.edge(root))).collect();
-        let terms = &model.grammar.terms;
-        let mut printed: Vec<(String, TermId)> =
-            tops.iter().map(|top| (print(terms, top.form), top.form)).collect();
-        printed.sort_unstable();
-        let printed = (0..).zip(printed).map(|(place, (_, form))| (form, place)).collect();
-        Forest { chart: kept, items, ways, ends, tops, printed }
+        let tops = roots.into_iter().map(|root| {
+            let goal = goals.get(grammar, chart.edge(root).category.meaning);
+            Top { edge: place(root), goal, vector: None }
+        });
+        let tops = tops.collect();
+        Forest { chart: kept, items, ways, ends, tops }
     }
 
     /// Edges and derivations: what it takes to keep it.
@@ -179,34 +171,45 @@ impl Forest {
         }
     }
 
+    /// The distinct goals, ranked.
+    pub fn readings(&self, model: &Model) -> Vec<Reading> {
+        let mut tops: Vec<&Top> = self.tops.iter().collect();
+        tops.sort_by(|a, b| self.compare_edges(&model.grammar, a.edge, b.edge));
+        let found = tops.into_iter().map(|Top { edge, goal, .. }| {
+            let score = goal.scored(&model.features, self.chart.edge(*edge).score);
+            (score, Rc::clone(goal), *edge)
+        });
+        ranked(&model.grammar.terms, found)
+    }
+
+    /// The one best of the readings; `None` where there is none, or several share the best rank.
+    pub fn answer(readings: &[Reading]) -> Option<TermId> {
+        match readings {
+            [first, second, ..] if rank(first.score) == rank(second.score) => None,
+            [first, ..] => Some(first.form),
+            [] => None,
+        }
+    }
+
     /// The distinct goals, ranked, each with φ of its best derivation; words and those that mean nothing, as heard.
-    pub fn readings(
+    pub fn vectors(
         &mut self,
         model: &mut Model,
         words: &[String],
         empty: &[Option<EntryId>],
     ) -> Vec<(TermId, Rc<Vector>)> {
-        let mut order: Vec<usize> = (0..self.tops.len()).collect();
-        let edge = |place: usize| self.tops[place].edge;
-        order.sort_by(|&a, &b| self.compare_edges(&model.grammar, edge(a), edge(b)));
-        let found = order.iter().map(|&place| {
-            let Top { edge, form, key, ref features, .. } = self.tops[place];
-            let score = self.chart.edge(edge).score;
-            let score = features.iter().fold(score, |sum, &f| sum + model.features.value(f));
-            (key, Reading { form, score, edge })
-        });
-        let printed = |reading: &Reading| self.printed.get(&reading.form);
-        let ranked = ranked(found, |a, b| printed(a).cmp(&printed(b)));
+        let ranked = self.readings(model);
         let mut readings = Vec::with_capacity(ranked.len());
         for Reading { form, edge, .. } in ranked {
-            let Some(place) = self.tops.iter().position(|top| top.edge == edge) else { continue };
-            let known = self.tops[place].vector.clone();
+            let Some(top) = self.tops.iter_mut().find(|top| top.edge == edge) else { continue };
+            let known = top.vector.clone();
             let vector = known.unwrap_or_else(|| {
                 let derivation = Derivation::of(&self.chart, edge, &EntryId::from_item);
-                let occurring = derivation.features(model, form, words, empty);
+                let root = top.goal.features.clone();
+                let occurring = derivation.features_besides(model, root, words, empty);
                 Rc::new(model.features.vector(&occurring))
             });
-            self.tops[place].vector = Some(Rc::clone(&vector));
+            top.vector = Some(Rc::clone(&vector));
             readings.push((form, vector));
         }
         readings
@@ -265,11 +268,4 @@ impl Forest {
     fn compare_children(&self, grammar: &Grammar, a: (u32, RuleId), b: (u32, RuleId)) -> Ordering {
         self.compare_edges(grammar, a.0, b.0).then_with(|| a.1.cmp(&b.1))
     }
-}
-
-fn top(model: &mut Model, edge: u32, found: &Edge) -> Top {
-    let Grammar { terms, sorts, commutative, .. } = &mut model.grammar;
-    let form = found.category.meaning;
-    let features = root_features(terms, sorts, form);
-    Top { edge, form, key: commuted(terms, commutative, form), features, vector: None }
 }

@@ -5,6 +5,7 @@
 use super::absorb::empty_entries;
 use super::category::Category;
 use super::chart::Lexical;
+use super::clauses::Clauses;
 use super::closed::{Kind, closed};
 use super::features::Feature;
 use super::general::{General, Near, Target};
@@ -46,6 +47,31 @@ impl Hearing {
             }
         }
         items
+    }
+
+    /// The clauses: one begins where a word that joins or orders stands before an imperative.
+    pub fn clauses(&self, model: &Model) -> Clauses {
+        let joins = |at: usize| matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));
+        let begins = |&at: &usize| {
+            let verb = (at..self.words.len()).find(|&at| !joins(at));
+            joins(at) && !joins(at - 1) && verb.is_some_and(|verb| self.commands(model, verb))
+        };
+        (1..self.words.len()).filter(begins).fold(Clauses::ONE, Clauses::with)
+    }
+
+    /// Whether an imperative begins at a place, or something said of one.
+    fn commands(&self, model: &Model, at: usize) -> bool {
+        let begins = |&entry: &EntryId| {
+            let mut syntax = model.lexicon.category(entry).syntax;
+            while let Some((result, _)) = model.grammar.syntaxes.forward(syntax) {
+                syntax = result;
+            }
+            syntax == SyntaxId::S
+        };
+        let longest = (at + model.lexicon.longest()).min(self.words.len());
+        let own = &self.words[at..longest];
+        let own: Vec<Box<str>> = own.iter().map(|word| Box::from(&**word)).collect();
+        (1..=own.len()).any(|n| model.lexicon.entries_for(&own[..n]).iter().any(begins))
     }
 
     /// What the words of a span may stand for, if the lexicon does not know one of them.

@@ -20,6 +20,8 @@ pub mod absorb;
 pub mod lookup;
 mod spelling;
 pub mod hearing;
+pub mod goals;
+pub mod clauses;
 pub mod parse;
 pub mod derivation;
 pub mod forest;

@@ -5,19 +5,21 @@
 use super::absorb::{Leniency, absorbing, absorption, clauses_behind};
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Edge, Lexical};
+use super::clauses::Clauses;
 use super::closed::Kind;
 use super::combinator::Grammar;
 use super::derivation::Derivation;
-use super::features::root_features;
+use super::goals::{Goal, Goals};
 use super::hearing::{Hearing, taken};
 use super::lexicon::EntryId;
 use super::lookup::lexical_item;
 use super::model::Model;
 use super::sentence::{MAX_WORDS, words};
-use crate::logic::{Node, TermId, Terms, TyId, print, ty};
+use crate::logic::{TermId, Terms, TyId, ty};
 use indexmap::IndexMap;
+use indexmap::map::Entry;
 use rustc_hash::FxBuildHasher;
-use std::cmp::Ordering;
+use std::rc::Rc;
 
 /// Why a command has no single answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,7 +158,7 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
     let Hearing { words: heard, closed, empty } = &hearing;
     let mut parse = match idiom(model, &hearing) {
         Some(item) => fill(model, heard, vec![item], |_, _, _| true, config),
-        None => fill_at(model, &hearing, Leniency::Learned, config),
+        None => fill_clauses(model, &hearing, config),
     };
     if parse.readings.is_empty() {
         // Beside a closed word what skips words is no answer: better than that is a part of the sentence that skips none.
@@ -294,6 +296,17 @@ fn fill_piece(
     fill(model, words, absorbing(items, &costs), |_, _, _| true, config)
 }
 
+/// Reads a sentence clause by clause, if it has several; as a whole where that comes to nothing.
+fn fill_clauses(model: &mut Model, hearing: &Hearing, config: ChartConfig) -> Parse {
+    let clauses = hearing.clauses(model);
+    let by_clause = ChartConfig { clauses, ..config };
+    let parse = fill_at(model, hearing, Leniency::Learned, by_clause);
+    if parse.readings.is_empty() && clauses != Clauses::ONE {
+        return parse.or_else(fill_at(model, hearing, Leniency::Learned, config));
+    }
+    parse
+}
+
 fn fill_at(model: &mut Model, hearing: &Hearing, leniency: Leniency, config: ChartConfig) -> Parse {
     let costs = absorption(model, &hearing.words, &hearing.empty, leniency);
     let items = absorbing(hearing.items(model), &costs);
@@ -309,9 +322,21 @@ pub fn fill(
     admit: impl FnMut(&Grammar, (usize, usize), Category) -> bool,
     config: ChartConfig,
 ) -> Parse {
+    fill_knowing(model, &mut Goals::default(), words, lexical, admit, config)
+}
+
+/// The same for whoever keeps what is known of goals.
+pub fn fill_knowing(
+    model: &mut Model,
+    goals: &mut Goals,
+    words: &[String],
+    lexical: Vec<Lexical>,
+    admit: impl FnMut(&Grammar, (usize, usize), Category) -> bool,
+    config: ChartConfig,
+) -> Parse {
     let Model { grammar, features, .. } = model;
     let chart = Chart::fill(grammar, features, words.len(), lexical, admit, config);
-    let readings = readings(model, &chart);
+    let readings = readings(model, goals, &chart);
     let tried = chart.tried;
     let mut parse = Parse { tried, ..Parse::new(words.to_vec(), readings, chart) };
     if parse.tied() > 1 {
@@ -320,77 +345,52 @@ pub fn fill(
     parse
 }
 
-/// The distinct goals among a chart's roots, ranked. Goals that differ in the order of the arguments of a
-/// commutative relation are one, printed as the better derivation has it.
-fn readings(model: &mut Model, chart: &Chart) -> Vec<Reading> {
-    let mut found = Vec::new();
-    for edge in chart.roots() {
-        if !is_goal(model, chart.edge(edge)) {
-            continue;
-        }
+/// The distinct goals among a chart's roots, ranked.
+fn readings(model: &mut Model, goals: &mut Goals, chart: &Chart) -> Vec<Reading> {
+    let Model { grammar, features, .. } = model;
+    let roots =
+        chart.roots().filter(|&root| is_goal(grammar, chart.edge(root))).collect::<Vec<_>>();
+    let found = roots.into_iter().map(|edge| {
         let Edge { category, score, .. } = *chart.edge(edge);
-        let form = category.meaning;
-        let root = root_features(&model.grammar.terms, &model.grammar.sorts, form);
-        let score = root.iter().fold(score, |sum, &f| sum + model.features.value(f));
-        let key = commuted(&mut model.grammar.terms, &model.grammar.commutative, form);
-        found.push((key, Reading { form, score, edge }));
-    }
-    let terms = &model.grammar.terms;
-    ranked(found, |a, b| print(terms, a.form).cmp(&print(terms, b.form)))
+        let goal = goals.get(grammar, category.meaning);
+        (goal.scored(features, score), goal, edge)
+    });
+    let found: Vec<_> = found.collect();
+    ranked(&model.grammar.terms, found)
 }
 
 /// Whether an edge over a whole sentence means a goal.
-pub(super) fn is_goal(model: &Model, edge: &Edge) -> bool {
+pub(super) fn is_goal(grammar: &Grammar, edge: &Edge) -> bool {
     let Category { syntax, meaning } = edge.category;
-    syntax.is_sentence() && model.grammar.terms.ty(meaning) == ty::TRUTH
+    syntax.is_sentence() && grammar.terms.ty(meaning) == ty::TRUTH
 }
 
-/// The best of the readings that share a key, ranked; `printed` orders them by their printed forms.
+/// Goals with their scores and edges, ranked. Goals that differ in the order of the arguments of a commutative relation
+/// are one, printed as the better derivation has it.
 pub(super) fn ranked(
-    found: impl IntoIterator<Item = (TermId, Reading)>,
-    printed: impl Fn(&Reading, &Reading) -> Ordering,
+    terms: &Terms,
+    found: impl IntoIterator<Item = (f64, Rc<Goal>, u32)>,
 ) -> Vec<Reading> {
-    let order =
-        |a: &Reading, b: &Reading| rank(b.score).cmp(&rank(a.score)).then_with(|| printed(a, b));
-    let mut best: IndexMap<TermId, Reading, FxBuildHasher> = IndexMap::default();
-    for (key, reading) in found {
-        let known = best.entry(key).or_insert(reading);
-        if order(&reading, known).is_lt() {
-            *known = reading;
+    type Found = (f64, Rc<Goal>, u32);
+    let order = |a: &Found, b: &Found| {
+        rank(b.0).cmp(&rank(a.0)).then_with(|| a.1.printed(terms).cmp(b.1.printed(terms)))
+    };
+    let mut best: IndexMap<TermId, Found, FxBuildHasher> = IndexMap::default();
+    for new in found {
+        match best.entry(new.1.key) {
+            Entry::Vacant(place) => drop(place.insert(new)),
+            Entry::Occupied(mut known) if order(&new, known.get()).is_lt() => {
+                drop(known.insert(new))
+            }
+            Entry::Occupied(_) => {}
         }
     }
-    let mut readings: Vec<Reading> = best.into_values().collect();
-    readings.sort_by(order);
-    readings
+    let mut all: Vec<Found> = best.into_values().collect();
+    all.sort_by(order);
+    all.into_iter().map(|(score, goal, edge)| Reading { form: goal.form, score, edge }).collect()
 }
 
 /// Scores that differ by less than a billionth are the same: sums run in the order of the derivation.
-fn rank(score: f64) -> i64 {
+pub(super) fn rank(score: f64) -> i64 {
     (score * 1e9).round() as i64
-}
-
-/// The form with the arguments of commutative relations in canonical order: what two equal readings share.
-pub(super) fn commuted(
-    terms: &mut Terms,
-    commutative: &[crate::logic::ConstantId],
-    term: TermId,
-) -> TermId {
-    let result = match terms.node(term) {
-        Node::Constant(_) | Node::Variable(_) => return term,
-        Node::Lambda { parameter, body } => {
-            let body = commuted(terms, commutative, body);
-            terms.lambda(parameter, body)
-        }
-        Node::Apply { head, args } => {
-            let mut args = args.to_vec();
-            args.iter_mut().for_each(|arg| *arg = commuted(terms, commutative, *arg));
-            if let Node::Constant(constant) = terms.node(head)
-                && commutative.contains(&constant)
-            {
-                terms.sort(&mut args);
-            }
-            terms.apply_head(head, &args)
-        }
-    };
-    result.unwrap_or(term)
 }

@@ -2,6 +2,7 @@
 //! (coarse to fine, after Charniak et al. 2006), so that the chart builds no meaning that leads nowhere. The
 //! normal form is not asked here: it only takes away.
 
+use super::clauses::Clauses;
 use super::combinator::Grammar;
 use super::syntax::SyntaxId;
 
@@ -9,6 +10,7 @@ use super::syntax::SyntaxId;
 pub(super) struct Reach {
     spans: Vec<Vec<Node>>,
     words: usize,
+    clauses: Clauses,
 }
 
 /// A category over a span.
@@ -32,17 +34,23 @@ impl Reach {
     pub(super) fn new(
         grammar: &mut Grammar,
         words: usize,
+        clauses: Clauses,
         lexical: impl Iterator<Item = (usize, usize, SyntaxId)>,
     ) -> Self {
         let spans = (0..words * (words + 1)).map(|_| Vec::new()).collect();
-        let mut reach = Reach { spans, words };
+        let mut reach = Reach { spans, words, clauses: clauses.with(words) };
         for (start, end, syntax) in lexical {
+            if !reach.clauses.admit(start, end) {
+                continue;
+            }
             let at = reach.at(start, end);
             place(&mut reach.spans[at], syntax);
         }
         for width in 1..=words {
             for start in 0..=words - width {
-                reach.fill(grammar, start, start + width);
+                if reach.clauses.admit(start, start + width) {
+                    reach.fill(grammar, start, start + width);
+                }
             }
         }
         if words > 0 {
@@ -57,6 +65,11 @@ impl Reach {
     /// Whether a full parse may use the category over the span.
     pub(super) fn is_useful(&self, start: usize, end: usize, syntax: SyntaxId) -> bool {
         self.spans[self.at(start, end)].iter().any(|node| node.useful && node.syntax == syntax)
+    }
+
+    /// Whether a full parse may use anything over the span.
+    pub(super) fn is_open(&self, start: usize, end: usize) -> bool {
+        self.spans[self.at(start, end)].iter().any(|node| node.useful)
     }
 
     fn at(&self, start: usize, end: usize) -> usize {

@@ -12,8 +12,16 @@ impl SyntaxId {
     /// What means nothing: the atoms have the same ids everywhere, in their order.
     pub const EMPTY: SyntaxId = SyntaxId(Atom::EMPTY as u32);
 
+    /// A command.
+    pub(super) const S: SyntaxId = SyntaxId(Atom::S as u32);
+
     /// Several commands, one after the other.
     pub const LIST: SyntaxId = SyntaxId(Atom::LIST as u32);
+
+    /// Its place among the categories.
+    pub(super) fn index(self) -> usize {
+        self.0 as usize
+    }
 
     /// Whether a whole sentence may have the category: a command, a prohibition, or several commands.
     pub fn is_sentence(self) -> bool {

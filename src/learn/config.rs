@@ -49,6 +49,11 @@ impl Default for Config {
 }
 
 impl Config {
+    /// Passes over the corpus in all: in the last one, idioms are looked for.
+    pub fn passes(&self) -> u32 {
+        self.epochs + u32::from(self.idioms)
+    }
+
     /// The settings that a model was trained with, as far as its facts tell, otherwise the default.
     pub fn of(model: &Model) -> Self {
         fn fact<T: std::str::FromStr>(model: &Model, name: &str, default: T) -> T {

@@ -144,9 +144,13 @@ impl Running {
                 self.last = progress.so_far;
                 Some(Event::Trained(progress, trainer.n_examples()))
             }
-            Stage::Training(trainer) => {
+            Stage::Training(_) => {
+                let Stage::Training(trainer) = std::mem::replace(&mut self.stage, Stage::Over)
+                else {
+                    return None;
+                };
                 self.planner = trainer.planner_cost();
-                let model = trainer.averaged();
+                let model = trainer.end();
                 let examples = self.run.test.examples();
                 let judge = Judge::new(&examples, ChartConfig::of(&model));
                 self.stage = Stage::Judging(Box::new(Judging { model, examples, judge }));

@@ -11,6 +11,7 @@ use crate::ccg::lookup::lexical_items;
 use crate::ccg::{Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId, closed};
 use crate::logic::{ConstantId, TyId, ty};
 use rustc_hash::FxHashSet;
+use std::rc::Rc;
 
 /// Words that a generated lexeme may have.
 pub const MAX_SPAN: usize = 4;
@@ -45,7 +46,28 @@ pub struct Generated {
     /// For every word the entry, or candidate, by which it means nothing.
     pub empty: Vec<Option<EntryId>>,
     /// The syntactic categories that took part in a full coarse parse, by span: no other can lead to one.
-    pub useful: FxHashSet<(usize, usize, SyntaxId)>,
+    pub useful: Rc<Useful>,
+}
+
+/// Spans with syntactic categories.
+pub type Useful = FxHashSet<(usize, usize, SyntaxId)>;
+
+/// What the coarse charts of the command at work came to. As long as no weight moves, the same items come to the same.
+#[derive(Default)]
+pub struct CoarseCharts(Vec<Coarse>);
+
+/// What a coarse chart came to.
+struct Coarse {
+    items: Vec<Lexical>,
+    used: Vec<(usize, usize, TemplateId)>,
+    useful: Rc<Useful>,
+}
+
+impl CoarseCharts {
+    /// Forgets them: weights have moved.
+    pub fn forget(&mut self) {
+        self.0.clear();
+    }
 }
 
 /// The candidates for a sentence, as the model stands.
@@ -54,12 +76,23 @@ pub fn generate(
     words: &[String],
     scope: Scope,
     config: ChartConfig,
+    charts: &mut CoarseCharts,
 ) -> Generated {
     let templates = coarse_categories(model);
     let empty = empty_candidates(model, words);
-    let mut generated = Generated { empty, ..Generated::default() };
-    let chart = coarse_chart(model, words, scope, &templates, &generated.empty, config);
-    for (start, end, template) in used_templates(model, &chart, &templates, &mut generated.useful) {
+    let items = coarse_items(model, words, scope, &templates, &empty);
+    let known = charts.0.iter().position(|known| known.items == items);
+    let known = known.unwrap_or_else(|| {
+        let chart = coarse_chart(model, words.len(), items.clone(), config);
+        let mut useful = Useful::default();
+        let used = used_templates(model, &chart, &templates, &mut useful);
+        charts.0.push(Coarse { items, used, useful: Rc::new(useful) });
+        charts.0.len() - 1
+    });
+    let Coarse { used, useful, .. } = &charts.0[known];
+    let useful = Rc::clone(useful);
+    let mut generated = Generated { candidates: Vec::new(), empty, useful };
+    for &(start, end, template) in used {
         let novelty = novelty(model, &words[start..end]);
         let words: Box<[Box<str>]> =
             words[start..end].iter().map(|word| Box::from(word.as_str())).collect();
@@ -116,15 +149,14 @@ fn coarse_categories(model: &mut Model) -> Vec<(TemplateId, Category)> {
     coarse
 }
 
-/// A chart of the lexicon's entries and the templates; an item from the number of templates on is an entry.
-fn coarse_chart(
+/// The lexicon's entries and the templates; an item from the number of templates on is an entry.
+fn coarse_items(
     model: &mut Model,
     words: &[String],
     scope: Scope,
     templates: &[(TemplateId, Category)],
     empty: &[Option<EntryId>],
-    config: ChartConfig,
-) -> Chart {
+) -> Vec<Lexical> {
     let mut items = lexical_items(model, words);
     for item in &mut items {
         item.item += templates.len() as u32;
@@ -150,11 +182,20 @@ fn coarse_chart(
         }
     }
     let costs = absorption(model, words, empty, Leniency::Learned);
-    let items = absorbing(items, &costs);
+    absorbing(items, &costs)
+}
+
+/// A chart with all derivations.
+fn coarse_chart(
+    model: &mut Model,
+    words: usize,
+    items: Vec<Lexical>,
+    config: ChartConfig,
+) -> Chart {
     let Model { grammar, features, .. } = model;
     let config = ChartConfig { derivations: Derivations::All, allow_vacuous: true, ..config };
     let all = |_: &Grammar, _: (usize, usize), _: Category| true;
-    Chart::fill(grammar, features, words.len(), items, all, config)
+    Chart::fill(grammar, features, words, items, all, config)
 }
 
 /// The templates that any full parse in the chart used, with their spans, in order and once each. Every category
@@ -163,7 +204,7 @@ fn used_templates(
     model: &Model,
     chart: &Chart,
     templates: &[(TemplateId, Category)],
-    useful: &mut FxHashSet<(usize, usize, SyntaxId)>,
+    useful: &mut Useful,
 ) -> Vec<(usize, usize, TemplateId)> {
     let is_goal = |&edge: &u32| {
         let category = chart.edge(edge).category;

@@ -3,8 +3,9 @@
 //! when nothing else is said. Goals that deny something are no idioms, since they win by being weak, and no command with
 //! a closed word becomes one.
 
+use super::kept::Kept;
 use super::planning::Validation;
-use crate::ccg::{ChartConfig, Model, any_closed, parse_words};
+use crate::ccg::{ChartConfig, Features, Model, any_closed, parse_words};
 use crate::ground::PairId;
 use crate::logic::{Node, TermId, Terms, print};
 use indexmap::IndexMap;
@@ -21,21 +22,30 @@ pub(super) struct Command<'a> {
 
 /// The search for idioms. Every step looks at one command, first at what it is answered, then at what it could mean.
 pub(super) struct Idioms {
-    model: Model,
+    /// The weights that answers are given with: those that training ends with.
+    features: Features,
     /// For every command, how many of its rows its answer explains.
     explained: Vec<usize>,
     /// Goals that commands were found to mean, with the rows that they explain there.
-    found: IndexMap<TermId, usize, FxBuildHasher>,
+    meant: IndexMap<TermId, usize, FxBuildHasher>,
     /// The goals that are tried, once all answers are known.
     goals: Vec<TermId>,
     next: usize,
+    /// The idioms so far.
+    found: Vec<(Vec<String>, TermId)>,
 }
 
 impl Idioms {
-    /// A search with a model that has been trained.
-    pub(super) fn new(model: Model) -> Self {
-        let found = IndexMap::default();
-        Idioms { model, explained: Vec::new(), found, goals: Vec::new(), next: 0 }
+    /// A search with such weights.
+    pub(super) fn new(features: Features) -> Self {
+        Idioms {
+            features,
+            explained: Vec::new(),
+            meant: IndexMap::default(),
+            goals: Vec::new(),
+            next: 0,
+            found: Vec::new(),
+        }
     }
 
     /// How many commands were looked at, each once for its answer and once for other goals.
@@ -43,29 +53,43 @@ impl Idioms {
         self.explained.len() + self.next
     }
 
-    /// The model with the idioms found so far.
-    pub(super) fn model(&self) -> &Model {
-        &self.model
+    /// The idioms found so far.
+    pub(super) fn found(&self) -> &[(Vec<String>, TermId)] {
+        &self.found
     }
 
     /// What a command is answered, and how many of its rows that explains.
-    pub(super) fn answer(&mut self, command: &Command<'_>, validation: &mut Validation) {
-        let config = ChartConfig::of(&self.model);
-        let parse = parse_words(&mut self.model, command.words.to_vec(), config);
-        let answer = parse.answer().map(|reading| reading.form);
-        let rows = answer.map_or(0, |form| self.explains(form, command, validation));
+    pub(super) fn answer(
+        &mut self,
+        (at, command): (usize, &Command<'_>),
+        model: &mut Model,
+        kept: &mut Kept,
+        validation: &mut Validation,
+    ) {
+        std::mem::swap(&mut model.features, &mut self.features);
+        let answer = kept.answer(at, model).unwrap_or_else(|| {
+            let config = ChartConfig::of(model);
+            let parse = parse_words(model, command.words.to_vec(), config);
+            parse.answer().map(|reading| reading.form)
+        });
+        std::mem::swap(&mut model.features, &mut self.features);
+        let terms = &model.grammar.terms;
+        let rows = answer.map_or(0, |form| explains(terms, form, command, validation));
         self.explained.push(rows);
-        if let Some(form) = answer.filter(|_| rows > 0)
-            && !denies(&self.model.grammar.terms, form)
-        {
-            *self.found.entry(form).or_default() += rows;
+        if let Some(form) = answer.filter(|&form| rows > 0 && !denies(terms, form)) {
+            *self.meant.entry(form).or_default() += rows;
         }
     }
 
     /// Looks for a goal that explains more of a command's rows than its answer does.
-    pub(super) fn search(&mut self, command: &Command<'_>, validation: &mut Validation) {
+    pub(super) fn search(
+        &mut self,
+        command: &Command<'_>,
+        terms: &Terms,
+        validation: &mut Validation,
+    ) {
         if self.next == 0 {
-            self.rank();
+            self.rank(terms);
         }
         let mut most = self.explained.get(self.next).copied().unwrap_or_default();
         self.next += 1;
@@ -73,32 +97,31 @@ impl Idioms {
             return;
         }
         let mut idiom = None;
-        for place in 0..self.goals.len() {
-            let goal = self.goals[place];
-            let rows = self.explains(goal, command, validation);
+        for &goal in &self.goals {
+            let rows = explains(terms, goal, command, validation);
             if rows > most && 2 * rows > command.rows.len() {
                 (most, idiom) = (rows, Some(goal));
             }
         }
-        if let Some(goal) = idiom {
-            // A goal that a chart has made is never too large.
-            let _ = self.model.add_idiom(command.words, goal);
-        }
-    }
-
-    fn explains(&self, form: TermId, command: &Command<'_>, validation: &mut Validation) -> usize {
-        let terms = &self.model.grammar.terms;
-        command.rows.iter().filter(|row| validation.valid(terms, form, row)).count()
+        self.found.extend(idiom.map(|goal| (command.words.to_vec(), goal)));
     }
 
     /// The goals to try: those that explain most first, ties by their printed forms.
-    fn rank(&mut self) {
-        let terms = &self.model.grammar.terms;
+    fn rank(&mut self, terms: &Terms) {
         let mut goals: Vec<(usize, String, TermId)> =
-            self.found.iter().map(|(&goal, &rows)| (rows, print(terms, goal), goal)).collect();
+            self.meant.iter().map(|(&goal, &rows)| (rows, print(terms, goal), goal)).collect();
         goals.sort_by(|a, b| b.0.cmp(&a.0).then_with(|| a.1.cmp(&b.1)));
         self.goals = goals.into_iter().take(MOST_GOALS).map(|(_, _, goal)| goal).collect();
     }
+}
+
+fn explains(
+    terms: &Terms,
+    form: TermId,
+    command: &Command<'_>,
+    validation: &mut Validation,
+) -> usize {
+    command.rows.iter().filter(|row| validation.valid(terms, form, row)).count()
 }
 
 /// Whether a term denies anything.

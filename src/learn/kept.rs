@@ -3,8 +3,9 @@
 
 use crate::ccg::absorb::{Leniency, absorbed, absorbing};
 use crate::ccg::chart::{ChartConfig, Derivations, Lexical};
+use crate::ccg::goals::Goals;
 use crate::ccg::hearing::taken;
-use crate::ccg::parse::fill;
+use crate::ccg::parse::fill_knowing;
 use crate::ccg::{EntryId, Feature, Forest, Hearing, Model, Vector};
 use crate::logic::TermId;
 use std::rc::Rc;
@@ -21,6 +22,7 @@ pub(super) struct Kept {
     commands: Vec<Option<Command>>,
     /// Edges and derivations of all forests.
     size: usize,
+    goals: Goals,
 }
 
 /// What is kept of a command.
@@ -45,7 +47,7 @@ struct Heard {
 impl Kept {
     /// For so many commands.
     pub(super) fn new(commands: usize) -> Self {
-        Kept { commands: (0..commands).map(|_| None).collect(), size: 0 }
+        Kept { commands: (0..commands).map(|_| None).collect(), ..Kept::default() }
     }
 
     /// Reads the command of a place with the model as it stands.
@@ -61,26 +63,41 @@ impl Kept {
         let Hearing { words, empty, .. } = &command.heard.hearing;
         if let Some(forest) = &mut command.forest {
             forest.rescore(&model.grammar, &model.features, &lexical);
-            let readings = forest.readings(model, words, empty);
+            let readings = forest.vectors(model, words, empty);
             self.commands[at] = Some(command);
             return (readings, false);
         }
         let config = ChartConfig { derivations: Derivations::Whole, ..config };
-        let parse = fill(model, words, lexical, |_, _, _| true, config);
+        let parse = fill_knowing(model, &mut self.goals, words, lexical, |_, _, _| true, config);
         let mut readings = Vec::with_capacity(parse.readings.len());
         for &reading in &parse.readings {
             let derivation = parse.derivation(reading);
-            let occurring = derivation.features(model, reading.form, words, empty);
+            let root = self.goals.get(&mut model.grammar, reading.form).features.clone();
+            let occurring = derivation.features_besides(model, root, words, empty);
             readings.push((reading.form, Rc::new(model.features.vector(&occurring))));
         }
         if parse.chart().is_whole() && self.size < MOST {
-            let forest = Forest::of(model, parse.chart());
+            let forest = Forest::of(&mut model.grammar, &mut self.goals, parse.chart());
             self.size += forest.size();
             command.forest = Some(forest);
         }
         let over_budget = parse.over_budget();
         self.commands[at] = Some(command);
         (readings, over_budget)
+    }
+
+    /// What a command is answered with the model as it stands, if that is known without a chart.
+    pub(super) fn answer(&mut self, at: usize, model: &Model) -> Option<Option<TermId>> {
+        let command = self.commands.get_mut(at)?.as_mut()?;
+        let forest = command.forest.as_mut().filter(|_| command.entries == model.lexicon.len())?;
+        forest.rescore(&model.grammar, &model.features, &command.heard.lexical(model));
+        let readings = forest.readings(model);
+        (!readings.is_empty()).then(|| Forest::answer(&readings))
+    }
+
+    /// What is known of goals.
+    pub(super) fn goals(&mut self) -> &mut Goals {
+        &mut self.goals
     }
 
     /// What is kept of a command, brought up to date: its forest is gone if the lexicon says something else of it now.

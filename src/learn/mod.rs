@@ -8,6 +8,7 @@ pub mod genlex;
 pub mod gradient;
 pub mod planning;
 pub mod config;
+mod fingerprint;
 mod kept;
 mod idioms;
 pub mod trainer;

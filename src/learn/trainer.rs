@@ -2,7 +2,8 @@
 //! parses, update the weights (after Artzi and Zettlemoyer 2013). A function of corpus, settings and seed alone.
 
 use super::config::Config;
-use super::genlex::{Candidate, Generated, Scope, generate};
+use super::fingerprint::fingerprint;
+use super::genlex::{Candidate, CoarseCharts, Generated, Scope, generate};
 use super::gradient::update;
 use super::idioms::{Command, Idioms};
 use super::kept::{Kept, Read};
@@ -10,7 +11,7 @@ use super::planning::{PlannerCost, Planning, Validation};
 use crate::ccg::absorb::{Leniency, absorbing, absorption};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::lookup::{lexical_item, lexical_items};
-use crate::ccg::parse::{Parse, fill};
+use crate::ccg::parse::{Parse, fill_knowing};
 use crate::ccg::{
     Atom, Category, Derivation, EntryId, Features, Grammar, MAX_WORDS, Model, Origin, Reading,
     Vector, words,
@@ -27,7 +28,7 @@ use std::rc::Rc;
 /// How far training is, after an example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Progress {
-    /// The epoch at work, from 1.
+    /// The epoch at work, from 1; one past the last while idioms are looked for.
     pub epoch: u32,
     /// Examples of this epoch that were seen.
     pub example: usize,
@@ -110,6 +111,9 @@ pub struct Trainer {
     n_examples: usize,
     validator: Validation,
     kept: Kept,
+    /// What was read of the command at work, while nothing is learned that could change it.
+    read: Option<Read>,
+    coarse: CoarseCharts,
     order: Vec<u32>,
     epoch: u32,
     next: usize,
@@ -144,6 +148,8 @@ impl Trainer {
             model,
             config,
             kept: Kept::new(items.len()),
+            read: None,
+            coarse: CoarseCharts::default(),
             items,
             n_examples: examples.len(),
             validator,
@@ -250,15 +256,31 @@ impl Trainer {
 
     /// The model with every weight as it was on average so far and the idioms found, which is what a run ends with.
     pub fn averaged(&self) -> Model {
-        if let Some(idioms) = &self.idioms {
-            return idioms.model().clone();
-        }
-        let mut model = self.model.clone();
-        let visits = self.visits();
-        if visits > 0.0 {
-            model.features.average(visits);
+        self.ended(self.model.clone())
+    }
+
+    /// The same at the end of a run, which keeps nothing.
+    pub fn end(mut self) -> Model {
+        let model = std::mem::take(&mut self.model);
+        self.ended(model)
+    }
+
+    /// A model with the weights of this one as they were on average so far, and the idioms found.
+    fn ended(&self, mut model: Model) -> Model {
+        self.average(&mut model.features);
+        for (words, goal) in self.idioms.iter().flat_map(Idioms::found) {
+            // A goal that a chart has made is never too large.
+            let _ = model.add_idiom(words, *goal);
         }
         model
+    }
+
+    /// Replaces the weights by what they were on average so far.
+    fn average(&self, features: &mut Features) {
+        let visits = self.visits();
+        if visits > 0.0 {
+            features.average(visits);
+        }
     }
 
     /// Distinct commands.
@@ -268,6 +290,7 @@ impl Trainer {
 
     /// The weights.
     pub(super) fn features_mut(&mut self) -> &mut Features {
+        self.coarse.forget();
         &mut self.model.features
     }
 
@@ -293,22 +316,28 @@ impl Trainer {
             return None;
         }
         if self.is_trained() {
-            self.look_for_idioms();
-            return None;
+            return Some(self.look_for_idioms());
         }
         let at = *self.order.get(self.next)? as usize;
-        if let Phase::Generate(example, scope) = self.phase {
-            self.generate(at, example, scope);
-        }
-        let (readings, over_budget) = self.read(at);
+        let known = match self.phase {
+            Phase::Explain => None,
+            Phase::Generate(example, scope) => {
+                let entries = self.model.lexicon.len();
+                self.generate(at, example, scope);
+                self.read.take().filter(|_| self.model.lexicon.len() == entries)
+            }
+        };
+        let (readings, over_budget) = known.unwrap_or_else(|| self.read(at));
         let judged = self.judge(at, &readings);
         if self.epoch <= self.config.generations
             && let Some(next) = self.phase.next(&judged)
         {
             self.phase = next;
+            self.read = Some((readings, over_budget));
             return None;
         }
         self.phase = Phase::Explain;
+        self.coarse.forget();
         for (moment, valid) in (self.visits() as u64..).zip(&judged) {
             let moment = moment as f64;
             let (features, margin) = (&mut self.model.features, self.config.margin);
@@ -327,24 +356,35 @@ impl Trainer {
         Some(progress)
     }
 
-    /// Looks at one command: what it is answered, or what else it could mean.
-    fn look_for_idioms(&mut self) {
-        let mut idioms = self.idioms.take().unwrap_or_else(|| Idioms::new(self.averaged()));
+    /// Looks at one command: what it is answered, or what else it could mean. How far that is, as if it were one more
+    /// epoch.
+    fn look_for_idioms(&mut self) -> Progress {
+        let mut idioms = self.idioms.take().unwrap_or_else(|| {
+            let mut features = self.model.features.clone();
+            self.average(&mut features);
+            Idioms::new(features)
+        });
         let (seen, all) = (idioms.seen(), self.items.len());
-        if let Some(Item { words, examples }) = self.items.get(seen % all) {
+        let at = seen % all;
+        if let Some(Item { words, examples }) = self.items.get(at) {
             let command = Command { words, rows: examples };
+            let Trainer { model, kept, validator, .. } = self;
             match seen < all {
-                true => idioms.answer(&command, &mut self.validator),
-                false => idioms.search(&command, &mut self.validator),
+                true => idioms.answer((at, &command), model, kept, validator),
+                false => idioms.search(&command, &model.grammar.terms, validator),
             }
         }
+        let example = self.n_examples * idioms.seen() / (2 * all);
         self.idioms = Some(idioms);
+        Progress { epoch: self.epoch, example, so_far: self.so_far }
     }
 
     fn begin_epoch(&mut self) {
         self.epoch += 1;
         self.next = 0;
-        self.so_far = Epoch::default();
+        if !self.is_trained() {
+            self.so_far = Epoch::default();
+        }
         self.order = (0..self.items.len() as u32).collect();
         let seed = u64::from(self.config.seed) << 32 | u64::from(self.epoch);
         let mut random = Pcg32::seed_from_u64(seed);
@@ -362,7 +402,7 @@ impl Trainer {
             return;
         }
         let config = chart_config(self.config.lexical_beam, self.config.lexical_budget);
-        let generated = generate(&mut self.model, words, scope, config);
+        let generated = generate(&mut self.model, words, scope, config, &mut self.coarse);
         let is_new = |&id: &EntryId| self.model.lexicon.is_candidate(id);
         if generated.candidates.is_empty() && !generated.empty.iter().flatten().any(is_new) {
             return;
@@ -408,7 +448,7 @@ impl Trainer {
         };
         let Config { beam, lexical_budget, .. } = self.config;
         let config = chart_config(beam, lexical_budget);
-        fill(&mut self.model, words, items, admit, config)
+        fill_knowing(&mut self.model, self.kept.goals(), words, items, admit, config)
     }
 
     /// The valid readings that no other valid reading outscores.
@@ -455,20 +495,4 @@ fn chart_config(beam: u32, budget: usize) -> ChartConfig {
 
 fn can_parse(words: &[String]) -> bool {
     (1..=MAX_WORDS).contains(&words.len())
-}
-
-/// A fingerprint of commands and states, so that a model tells what it was trained on.
-fn fingerprint(examples: &[Example]) -> String {
-    let mut hasher = blake3::Hasher::new();
-    for example in examples {
-        // No command has a line break in it once it is split into words: parts cannot run into each other.
-        hasher.update(words(&example.command).join(" ").as_bytes());
-        hasher.update(b"\n");
-        for state in example.pairs.iter().flat_map(|pair| [&pair.pre, &pair.post]) {
-            // A state always has a JSON form: it has no maps and no floats.
-            hasher.update(serde_json::to_string(state).unwrap_or_default().as_bytes());
-            hasher.update(b"\n");
-        }
-    }
-    hasher.finalize().to_hex().to_string()
 }

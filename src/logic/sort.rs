@@ -10,23 +10,28 @@ use rustc_hash::FxHashMap;
 #[derive(Clone, Debug, Default)]
 pub struct Sorts {
     arguments: FxHashMap<Box<str>, Box<[SortSet]>>,
-    known: FxHashMap<TermId, bool>,
+    /// What is known of terms, by their places in the arena.
+    known: Vec<Option<bool>>,
 }
 
 impl Sorts {
     /// The sorts of a signature's constants.
     pub fn new(signature: &Signature) -> Self {
         let arguments = signature.arguments().map(|(name, sets)| (name.into(), sets.into()));
-        Sorts { arguments: arguments.collect(), known: FxHashMap::default() }
+        Sorts { arguments: arguments.collect(), known: Vec::new() }
     }
 
     /// Whether a closed term could be about something. Memoised.
     pub fn fit(&mut self, terms: &Terms, term: TermId) -> bool {
-        if let Some(&known) = self.known.get(&term) {
+        let place = term.index();
+        if let Some(&Some(known)) = self.known.get(place) {
             return known;
         }
         let fits = self.phrase(terms, term, &mut Vec::new()).is_some();
-        self.known.insert(term, fits);
+        if self.known.len() <= place {
+            self.known.resize(place + 1, None);
+        }
+        self.known[place] = Some(fits);
         fits
     }
 

@@ -147,7 +147,7 @@ impl Experimenting {
         let run = runs.runs.get(at)?;
         let part = match event {
             learning::Event::Trained(done, examples) => {
-                RunPart::Learning(progress(done, run.config.epochs, examples))
+                RunPart::Learning(progress(done, run.config.passes(), examples))
             }
             learning::Event::Judged(scores, commands) => {
                 RunPart::Judging { judged: scores.total, commands }

@@ -75,17 +75,21 @@ impl Learner {
         };
         let seed = seed_model(lexicon)
             .map_err(|error| format!("The seed lexicon cannot be read: {error}."))?;
-        let mut trainer = Trainer::new(seed, &self.corpus.examples, config);
-        Ok(Box::new(move |_| {
-            let said = trainer.step().map(|done| {
-                let (epochs, examples) = (trainer.config().epochs, trainer.n_examples());
-                Event::Progress(progress(done, epochs, examples))
-            });
-            if said.is_some() || !trainer.is_done() {
-                return Step::Working(said);
+        let mut run = Some(Trainer::new(seed, &self.corpus.examples, config));
+        Ok(Box::new(move |_| match run.take() {
+            Some(trainer) if trainer.is_done() => {
+                let model = trainer.end();
+                Step::Over(Event::Trained(report(&model, model.print())))
             }
-            let model = trainer.averaged();
-            Step::Over(Event::Trained(report(&model, model.print())))
+            Some(mut trainer) => {
+                let said = trainer.step().map(|done| {
+                    let (passes, examples) = (trainer.config().passes(), trainer.n_examples());
+                    Event::Progress(progress(done, passes, examples))
+                });
+                run = Some(trainer);
+                Step::Working(said)
+            }
+            None => Step::Working(None),
         }))
     }
 

@@ -10,6 +10,8 @@ mod chart;
 mod closed;
 #[path = "ccg/files.rs"]
 mod files;
+#[path = "ccg/forest.rs"]
+mod forest;
 #[path = "ccg/general.rs"]
 mod general;
 #[path = "ccg/normal.rs"]

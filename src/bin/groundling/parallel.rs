@@ -91,7 +91,9 @@ pub(crate) fn run_one(run: &Run, seed: Model) -> Option<(Finished, Model)> {
             learning = Some(clocks.read());
         }
         match event {
-            Some(Event::Trained(progress, examples)) if progress.example == examples => {
+            Some(Event::Trained(progress, examples))
+                if progress.example == examples && progress.epoch <= run.config.epochs =>
+            {
                 let (epoch, epochs) = (progress.epoch, run.config.epochs);
                 let (valid, entries) = (progress.so_far.valid, progress.so_far.entries);
                 let seconds = clocks.read().wall;

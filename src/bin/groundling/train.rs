@@ -83,7 +83,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
     let mut epochs = Vec::new();
     while !trainer.is_done() {
         let Some(progress) = trainer.step() else { continue };
-        if progress.example < trainer.n_examples() {
+        if progress.example < trainer.n_examples() || progress.epoch > options.config.epochs {
             continue;
         }
         let seconds = started.elapsed().as_secs_f64();
@@ -112,7 +112,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
     }
     let entries = trainer.model().lexicon.len();
-    let mut model = trainer.averaged();
+    let mut model = trainer.end();
     model.doubt = doubt;
     write(&out, &model.print())?;
     if options.json {

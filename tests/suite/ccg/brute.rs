@@ -2,7 +2,7 @@
 
 use groundling::ccg::combinator::Made;
 use groundling::ccg::features::root_features;
-use groundling::ccg::{Category, Feature, Lexical, Model, RuleId};
+use groundling::ccg::{Atom, Category, Feature, Lexical, Model, RuleId};
 use groundling::logic::{TermId, print, ty};
 use std::collections::BTreeMap;
 
@@ -37,6 +37,21 @@ impl Admitted {
 
 /// What a chart admits.
 pub(super) const NORMAL_FORM: Admitted = Admitted { normal_form: true, vacuous: false };
+
+/// The goals of a sentence that is one command.
+pub(super) fn commands(
+    model: &mut Model,
+    n_words: usize,
+    lexical: &[Lexical],
+    admitted: Admitted,
+) -> Vec<TermId> {
+    let found = derive(model, lexical, (0, n_words), admitted).into_iter();
+    let found = found.filter(|found| model.grammar.syntaxes.is(found.category.syntax, Atom::S));
+    let mut goals: Vec<TermId> = found.map(|found| found.category.meaning).collect();
+    goals.sort_unstable();
+    goals.dedup();
+    goals
+}
 
 /// The goals of a sentence, printed, each with the best score of its derivations.
 pub(super) fn goals(

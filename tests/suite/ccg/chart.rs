@@ -4,6 +4,7 @@
 use super::brute::{Admitted, NORMAL_FORM};
 use super::{AMBIGUOUS, brute, model, model_over};
 use groundling::ccg::chart::Derivations;
+use groundling::ccg::clauses::Clauses;
 use groundling::ccg::lookup::lexical_items;
 use groundling::ccg::parse::fill;
 use groundling::ccg::{ChartConfig, Feature, Model, Reason, RuleId, parse, words};
@@ -20,6 +21,7 @@ pub(super) const WITHOUT_END: ChartConfig = ChartConfig {
     derivations: Derivations::Best,
     allow_vacuous: false,
     allow_throwing: false,
+    clauses: Clauses::ONE,
 };
 
 const VOCABULARY: [&str; 10] =
@@ -56,7 +58,7 @@ fn ranked(model: &mut Model, command: &str, config: ChartConfig) -> Vec<(String,
     parse.readings.iter().map(|reading| (print(terms, reading.form), reading.score)).collect()
 }
 
-fn sentences() -> impl Strategy<Value = String> {
+pub(super) fn sentences() -> impl Strategy<Value = String> {
     let word = prop::sample::select(VOCABULARY.to_vec());
     prop::collection::vec(word, 1..=5).prop_map(|words| words.join(" "))
 }

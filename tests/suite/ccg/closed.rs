@@ -8,7 +8,7 @@ use groundling::ccg::{
     ChartConfig, EntryId, Hearing, Model, Origin, Trace, any_closed, closed, parse, words,
 };
 use groundling::corpus::{Example, Pair};
-use groundling::learn::genlex::{Scope, generate};
+use groundling::learn::genlex::{CoarseCharts, Scope, generate};
 use groundling::learn::{CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
 use groundling::logic::print_human;
 
@@ -126,7 +126,13 @@ fn generation_has_no_candidate_with_a_closed_word() {
         let words = words(command);
         let closed = closed(&words);
         for scope in [Scope::UnknownWords, Scope::AllWords] {
-            let generated = generate(&mut model, &words, scope, ChartConfig::default());
+            let generated = generate(
+                &mut model,
+                &words,
+                scope,
+                ChartConfig::default(),
+                &mut CoarseCharts::default(),
+            );
             for candidate in generated.candidates {
                 let own = &closed[candidate.start..candidate.end];
                 assert!(own.iter().all(Option::is_none), "{command}: {candidate:?}");

@@ -2,7 +2,7 @@
 //! templates take what their holes ask for.
 
 use groundling::ccg::{Atom, ChartConfig, Model, Origin, lexicon_text::read_lexicon, words};
-use groundling::learn::genlex::{Generated, Scope, generate};
+use groundling::learn::genlex::{CoarseCharts, Generated, Scope, generate};
 use groundling::learn::novelty::{Novelty, novelty};
 use groundling::learn::{CLEANUP_LEXICON, seed_model};
 use groundling::logic::ConstantId;
@@ -72,7 +72,13 @@ fn a_noun_stretches_within_its_sort() {
 }
 
 fn generated(model: &mut Model, command: &str, scope: Scope) -> Generated {
-    generate(model, &words(command), scope, ChartConfig { beam: 75, ..ChartConfig::default() })
+    generate(
+        model,
+        &words(command),
+        scope,
+        ChartConfig { beam: 75, ..ChartConfig::default() },
+        &mut CoarseCharts::default(),
+    )
 }
 
 /// The candidates: words, category, and the names of the constants.

@@ -1,0 +1,72 @@
+//! What there is to know of a goal as a whole, whatever its derivation and the weights: worked out once for whoever asks
+//! of it again and again, as training does.
+
+use super::combinator::Grammar;
+use super::features::{Feature, Features, root_features};
+use crate::logic::{ConstantId, Node, TermId, Terms, print};
+use rustc_hash::FxHashMap;
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+/// A goal.
+#[derive(Debug)]
+pub struct Goal {
+    /// The goal itself.
+    pub form: TermId,
+    /// What it shares with goals that are the same up to the order of the arguments of commutative relations.
+    pub key: TermId,
+    /// Its features.
+    pub features: Vec<Feature>,
+    printed: OnceCell<String>,
+}
+
+impl Goal {
+    /// What its features add to a derivation's score.
+    pub fn scored(&self, features: &Features, score: f64) -> f64 {
+        self.features.iter().fold(score, |sum, &feature| sum + features.value(feature))
+    }
+
+    /// Its text, by which ties break.
+    pub fn printed(&self, terms: &Terms) -> &str {
+        self.printed.get_or_init(|| print(terms, self.form))
+    }
+}
+
+/// Goals of one arena that were asked of.
+#[derive(Debug, Default)]
+pub struct Goals(FxHashMap<TermId, Rc<Goal>>);
+
+impl Goals {
+    /// What there is to know of a goal.
+    pub fn get(&mut self, grammar: &mut Grammar, form: TermId) -> Rc<Goal> {
+        let Grammar { terms, sorts, commutative, .. } = grammar;
+        let goal = self.0.entry(form).or_insert_with(|| {
+            let features = root_features(terms, sorts, form);
+            let key = commuted(terms, commutative, form);
+            Rc::new(Goal { form, key, features, printed: OnceCell::new() })
+        });
+        Rc::clone(goal)
+    }
+}
+
+/// The form with the arguments of commutative relations in canonical order: what two equal readings share.
+fn commuted(terms: &mut Terms, commutative: &[ConstantId], term: TermId) -> TermId {
+    let result = match terms.node(term) {
+        Node::Constant(_) | Node::Variable(_) => return term,
+        Node::Lambda { parameter, body } => {
+            let body = commuted(terms, commutative, body);
+            terms.lambda(parameter, body)
+        }
+        Node::Apply { head, args } => {
+            let mut args = args.to_vec();
+            args.iter_mut().for_each(|arg| *arg = commuted(terms, commutative, *arg));
+            if let Node::Constant(constant) = terms.node(head)
+                && commutative.contains(&constant)
+            {
+                terms.sort(&mut args);
+            }
+            terms.apply_head(head, &args)
+        }
+    };
+    result.unwrap_or(term)
+}
