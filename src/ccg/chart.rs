@@ -190,6 +190,32 @@ impl Chart {
         if self.words == 0 { 0..0 } else { self.at(0, self.words).edges.clone() }
     }
 
+    /// All edges, with their spans.
+    pub(super) fn all(&self) -> Vec<(usize, usize, u32)> {
+        let places =
+            (0..self.words).flat_map(|start| (start + 1..=self.words).map(move |end| (start, end)));
+        let edges = places.flat_map(|(start, end)| {
+            self.at(start, end).edges.clone().map(move |edge| (start, end, edge))
+        });
+        edges.collect()
+    }
+
+    /// The edges of each span that has more than a beam holds, in their order; those that shifts made are not counted.
+    pub(super) fn crowds(&self, beam: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
+        let mut crowds: Vec<_> = self
+            .spans
+            .iter()
+            .filter_map(|span| {
+                let plain = |&edge: &u32| self.edge(edge).made != Made::ByShift;
+                let first = span.edges.start as usize;
+                let edges = first..first + span.edges.clone().take_while(plain).count();
+                (edges.len() > beam).then_some(edges)
+            })
+            .collect();
+        crowds.sort_unstable_by_key(|crowd| crowd.start);
+        crowds.into_iter()
+    }
+
     /// The edges that lead up to any of `tops`, which are of this chart, with their spans.
     pub fn below(&self, tops: impl IntoIterator<Item = u32>) -> Vec<(usize, usize, u32)> {
         let mut seen = vec![false; self.edges.len()];

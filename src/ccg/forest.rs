@@ -1,7 +1,7 @@
 //! What a chart found, kept for the next time: while the lexicon says the same of a sentence, only the weights can have
 //! changed, and then one walk over the derivations that lead to goals gives what a new chart would, to the last bit.
 //! Invariant: it comes of a chart that neither beam nor budget cut ([`Chart::is_whole`]), since which edges there are
-//! then does not hang on the weights.
+//! then does not hang on the weights. What a beam would leave of them does: it is worked out with the scores.
 
 use super::chart::{Chart, Lexical, Step};
 use super::combinator::{Grammar, Made, RuleId};
@@ -27,6 +27,11 @@ pub struct Forest {
     /// One past each edge's derivations.
     ends: Vec<u32>,
     tops: Vec<Top>,
+    beam: usize,
+    /// The edges of spans of which the beam may leave some, but for those that shifts made.
+    crowds: Vec<std::ops::Range<usize>>,
+    /// Whether the beam left an edge, and all that one of its derivations is made of.
+    alive: Vec<bool>,
 }
 
 /// A derivation.
@@ -42,17 +47,23 @@ struct Way {
 #[derive(Debug)]
 struct Top {
     edge: u32,
-    goal: Rc<Goal>,
+    /// What it means, once asked for: the beam may never leave it.
+    goal: Option<Rc<Goal>>,
     /// φ of its best derivation, once asked for.
     vector: Option<Rc<Vector>>,
 }
 
 impl Forest {
-    /// The forest of a whole chart that keeps all derivations.
-    pub fn of(grammar: &mut Grammar, goals: &mut Goals, chart: &Chart) -> Self {
+    /// The forest of a whole chart that keeps all derivations, for a beam. It must be scored before it is read.
+    pub fn of(grammar: &Grammar, chart: &Chart, beam: usize) -> Self {
         let mut roots: Vec<u32> = chart.roots().collect();
         roots.retain(|&root| is_goal(grammar, chart.edge(root)));
-        let mut below = chart.below(roots.iter().copied());
+        let crowds: Vec<_> = chart.crowds(beam).collect();
+        // What leads to no goal takes its place in the beam all the same.
+        let mut below = match crowds.is_empty() {
+            true => chart.below(roots.iter().copied()),
+            false => chart.all(),
+        };
         below.sort_unstable_by_key(|&(.., edge)| edge);
         let place = |edge: u32| {
             below.binary_search_by_key(&edge, |&(.., edge)| edge).unwrap_or(usize::MAX) as u32
@@ -101,12 +112,10 @@ impl Forest {
             edge.step = ways[first].step;
             first = end as usize;
         }
-        let tops = roots.into_iter().map(|root| {
-            let goal = goals.get(grammar, chart.edge(root).category.meaning);
-            Top { edge: place(root), goal, vector: None }
-        });
-        let tops = tops.collect();
-        Forest { chart: kept, items, ways, ends, tops }
+        let top = |root| Top { edge: place(root), goal: None, vector: None };
+        let tops = roots.into_iter().map(top).collect();
+        let alive = vec![false; ends.len()];
+        Forest { chart: kept, items, ways, ends, tops, beam, crowds, alive }
     }
 
     /// Edges and derivations: what it takes to keep it.
@@ -126,12 +135,27 @@ impl Forest {
         // Whether the best derivation of an edge is another than before.
         let mut changed = vec![false; self.ends.len()];
         let mut start = 0;
+        let mut crowds = 0;
         for at in 0..self.ends.len() {
+            if self.crowds.get(crowds).is_some_and(|crowd| crowd.end == at) {
+                self.thin_out(grammar, crowds);
+                crowds += 1;
+            }
             let end = self.ends[at] as usize;
             let mut best: Option<(f64, Way)> = None;
             for &way in &self.ways[start..end] {
                 let edges = &self.chart.edges;
                 let lost = f64::from(way.lost);
+                let is_open = match way.step {
+                    Step::Lexical(_) => true,
+                    Step::Binary { left, right, .. } => {
+                        self.alive[left as usize] && self.alive[right as usize]
+                    }
+                    Step::Shift { child, .. } => self.alive[child as usize],
+                };
+                if !is_open {
+                    continue;
+                }
                 let score = match way.step {
                     Step::Lexical(item) => self.chart.lexical[item as usize].score,
                     Step::Binary { rule, left, right } => {
@@ -151,9 +175,10 @@ impl Forest {
                 }
             }
             start = end;
+            let was_alive = std::mem::replace(&mut self.alive[at], best.is_some());
             if let Some((score, Way { step, split, .. })) = best {
                 let of = |part: u32| changed[part as usize];
-                let is_new = step != self.chart.edges[at].step;
+                let is_new = !was_alive || step != self.chart.edges[at].step;
                 changed[at] = is_new
                     || match step {
                         Step::Lexical(_) => false,
@@ -164,22 +189,44 @@ impl Forest {
                 (edge.score, edge.step, edge.split) = (score, step, split);
             }
         }
+        if crowds < self.crowds.len() {
+            self.thin_out(grammar, crowds);
+        }
         for top in &mut self.tops {
-            if changed[top.edge as usize] {
+            if changed[top.edge as usize] || !self.alive[top.edge as usize] {
                 top.vector = None;
             }
         }
     }
 
+    /// Leaves of the edges of a span what the beam holds.
+    fn thin_out(&mut self, grammar: &Grammar, crowd: usize) {
+        let mut edges: Vec<u32> =
+            self.crowds[crowd].clone().filter(|&at| self.alive[at]).map(|at| at as u32).collect();
+        if edges.len() > self.beam {
+            let order =
+                |a: &u32, b: &u32| self.chart.edge(*a).compare(self.chart.edge(*b), grammar);
+            edges.select_nth_unstable_by(self.beam, order);
+            edges[self.beam..].iter().for_each(|&edge| self.alive[edge as usize] = false);
+        }
+    }
+
     /// The distinct goals, ranked.
-    pub fn readings(&self, model: &Model) -> Vec<Reading> {
-        let mut tops: Vec<&Top> = self.tops.iter().collect();
-        tops.sort_by(|a, b| self.compare_edges(&model.grammar, a.edge, b.edge));
-        let found = tops.into_iter().map(|Top { edge, goal, .. }| {
-            let score = goal.scored(&model.features, self.chart.edge(*edge).score);
-            (score, Rc::clone(goal), *edge)
+    pub fn readings(&mut self, model: &mut Model, goals: &mut Goals) -> Vec<Reading> {
+        let Model { grammar, features, .. } = model;
+        for top in self.tops.iter_mut().filter(|top| self.alive[top.edge as usize]) {
+            let meaning = self.chart.edge(top.edge).category.meaning;
+            top.goal.get_or_insert_with(|| goals.get(grammar, meaning));
+        }
+        let is_alive = |top: &&Top| self.alive[top.edge as usize];
+        let mut tops: Vec<&Top> = self.tops.iter().filter(is_alive).collect();
+        tops.sort_by(|a, b| self.compare_edges(grammar, a.edge, b.edge));
+        let found = tops.into_iter().filter_map(|Top { edge, goal, .. }| {
+            let goal = goal.as_ref()?;
+            let score = goal.scored(features, self.chart.edge(*edge).score);
+            Some((score, Rc::clone(goal), *edge))
         });
-        ranked(&model.grammar.terms, found)
+        ranked(&grammar.terms, found)
     }
 
     /// The one best of the readings; `None` where there is none, or several share the best rank.
@@ -195,17 +242,18 @@ impl Forest {
     pub fn vectors(
         &mut self,
         model: &mut Model,
+        goals: &mut Goals,
         words: &[String],
         empty: &[Option<EntryId>],
     ) -> Vec<(TermId, Rc<Vector>)> {
-        let ranked = self.readings(model);
+        let ranked = self.readings(model, goals);
         let mut readings = Vec::with_capacity(ranked.len());
         for Reading { form, edge, .. } in ranked {
             let Some(top) = self.tops.iter_mut().find(|top| top.edge == edge) else { continue };
             let known = top.vector.clone();
             let vector = known.unwrap_or_else(|| {
                 let derivation = Derivation::of(&self.chart, edge, &EntryId::from_item);
-                let root = top.goal.features.clone();
+                let root = top.goal.as_ref().map_or(Vec::new(), |goal| goal.features.clone());
                 let occurring = derivation.features_besides(model, root, words, empty);
                 Rc::new(model.features.vector(&occurring))
             });
@@ -260,7 +308,7 @@ impl Forest {
         let at = edge as usize;
         let start = at.checked_sub(1).map_or(0, |before| self.ends[before] as usize);
         self.ways[start..self.ends[at] as usize].iter().filter_map(|way| match way.step {
-            Step::Shift { rule, child } => Some((child, rule)),
+            Step::Shift { rule, child } if self.alive[child as usize] => Some((child, rule)),
             _ => None,
         })
     }

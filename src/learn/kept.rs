@@ -2,7 +2,7 @@
 //! and the forest of its goals, as long as the lexicon says the same of it. What is read so is what would be read anew.
 
 use crate::ccg::absorb::{Leniency, absorbed, absorbing};
-use crate::ccg::chart::{ChartConfig, Derivations, Lexical};
+use crate::ccg::chart::{Chart, ChartConfig, Derivations, Lexical};
 use crate::ccg::goals::Goals;
 use crate::ccg::hearing::taken;
 use crate::ccg::parse::fill_knowing;
@@ -10,8 +10,10 @@ use crate::ccg::{EntryId, Feature, Forest, Hearing, Model, Vector};
 use crate::logic::TermId;
 use std::rc::Rc;
 
-/// Edges and derivations that all forests together may have: some 200 MB. What does not fit is read anew each time.
-const MOST: usize = 4_000_000;
+/// Edges and derivations that all forests together may have: some 100 MB. What does not fit is read anew each time.
+const MOST: usize = 3_000_000;
+/// Derivations that are tried without a beam for the sake of a forest.
+const LARGEST: usize = 40_000;
 
 /// The goals that a command can mean, ranked, with their features; whether its chart is not whole.
 pub(super) type Read = (Vec<(TermId, Rc<Vector>)>, bool);
@@ -31,6 +33,8 @@ struct Command {
     entries: usize,
     heard: Heard,
     forest: Option<Forest>,
+    /// Whether it is too large for a forest.
+    is_large: bool,
 }
 
 /// What the lexicon says of a command.
@@ -61,13 +65,16 @@ impl Kept {
         let mut command = self.heard(at, model, words);
         let lexical = command.heard.lexical(model);
         let Hearing { words, empty, .. } = &command.heard.hearing;
+        if command.forest.is_none() && !command.is_large {
+            command.forest = self.grow(model, words.len(), &lexical, config);
+            command.is_large = command.forest.is_none();
+        }
         if let Some(forest) = &mut command.forest {
             forest.rescore(&model.grammar, &model.features, &lexical);
-            let readings = forest.vectors(model, words, empty);
+            let readings = forest.vectors(model, &mut self.goals, words, empty);
             self.commands[at] = Some(command);
             return (readings, false);
         }
-        let config = ChartConfig { derivations: Derivations::Whole, ..config };
         let parse = fill_knowing(model, &mut self.goals, words, lexical, |_, _, _| true, config);
         let mut readings = Vec::with_capacity(parse.readings.len());
         for &reading in &parse.readings {
@@ -76,22 +83,42 @@ impl Kept {
             let occurring = derivation.features_besides(model, root, words, empty);
             readings.push((reading.form, Rc::new(model.features.vector(&occurring))));
         }
-        if parse.chart().is_whole() && self.size < MOST {
-            let forest = Forest::of(&mut model.grammar, &mut self.goals, parse.chart());
-            self.size += forest.size();
-            command.forest = Some(forest);
-        }
         let over_budget = parse.over_budget();
         self.commands[at] = Some(command);
         (readings, over_budget)
     }
 
+    /// The forest of a command; `None` if that would be too large.
+    fn grow(
+        &mut self,
+        model: &mut Model,
+        words: usize,
+        lexical: &[Lexical],
+        config: ChartConfig,
+    ) -> Option<Forest> {
+        let budget = config.budget.min(LARGEST);
+        let derivations = Derivations::Whole;
+        let whole = ChartConfig { beam: usize::MAX, budget, derivations, ..config };
+        let Model { grammar, features, .. } = model;
+        let chart = Chart::fill(grammar, features, words, lexical.to_vec(), |_, _, _| true, whole);
+        if !chart.is_whole() {
+            return None;
+        }
+        let forest = Forest::of(grammar, &chart, config.beam);
+        let size = self.size + forest.size();
+        if size > MOST {
+            return None;
+        }
+        self.size = size;
+        Some(forest)
+    }
+
     /// What a command is answered with the model as it stands, if that is known without a chart.
-    pub(super) fn answer(&mut self, at: usize, model: &Model) -> Option<Option<TermId>> {
+    pub(super) fn answer(&mut self, at: usize, model: &mut Model) -> Option<Option<TermId>> {
         let command = self.commands.get_mut(at)?.as_mut()?;
         let forest = command.forest.as_mut().filter(|_| command.entries == model.lexicon.len())?;
         forest.rescore(&model.grammar, &model.features, &command.heard.lexical(model));
-        let readings = forest.readings(model);
+        let readings = forest.readings(model, &mut self.goals);
         (!readings.is_empty()).then(|| Forest::answer(&readings))
     }
 
@@ -107,14 +134,15 @@ impl Kept {
             Some(command) if command.entries == entries => command,
             known => {
                 let heard = Heard::new(model, words);
-                let mut forest = None;
-                if let Some(Command { heard: before, forest: Some(own), .. }) = known {
-                    match before.is_like(&heard) {
-                        true => forest = Some(own),
-                        false => self.size -= own.size(),
+                match known {
+                    Some(known) if known.heard.is_like(&heard) => {
+                        Command { entries, heard, ..known }
+                    }
+                    known => {
+                        self.size -= known.and_then(|known| known.forest).map_or(0, |f| f.size());
+                        Command { entries, heard, forest: None, is_large: false }
                     }
                 }
-                Command { entries, heard, forest }
             }
         }
     }

@@ -11,8 +11,11 @@
 mod cpu;
 #[path = "learning.rs"]
 mod learning;
+#[path = "sentences.rs"]
+mod sentences;
 
 use cpu::{Row, print_table, seconds};
+use groundling::ccg::Model;
 use groundling::domain::{Color, Direction, Lock, Plan, Rules, State, generate};
 use groundling::ground::{Goal, Task};
 use groundling::logic::{Terms, print, read};
@@ -94,6 +97,7 @@ fn main() {
     }));
     rows.push(Row::from_seconds("one step of it (never over 16 ms)", job_steps(behind_doors())));
     rows.extend(learning::rows());
+    rows.extend(sentences::rows(&Model::read(SHIPPED).unwrap()));
     print_table(&rows);
     if let Some(megabytes) = learning::peak_memory() {
         println!("\nmost memory held: {megabytes:.0} MB");

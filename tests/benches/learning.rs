@@ -23,7 +23,7 @@ const REFERENCE_PRUNED: f64 = 15_300.0 / 5.0;
 
 /// The rows of the table.
 pub(crate) fn rows() -> Vec<Row> {
-    let crowd: Vec<Example> = CROWD.iter().flat_map(|text| examples(text, Form::Csv)).collect();
+    let crowd = crowd();
     let mut rows = vec![Row::of(
         "train: 36 rows of the crowd, 15 epochs",
         3,
@@ -62,17 +62,23 @@ pub(crate) fn rows() -> Vec<Row> {
     rows
 }
 
+/// Rows of the crowd.
+pub(crate) fn crowd() -> Vec<Example> {
+    CROWD.iter().flat_map(|text| examples(text, Form::Csv)).collect()
+}
+
 fn examples(text: &str, form: Form) -> Vec<Example> {
     read(form, text.as_bytes(), Options::default()).0.examples
 }
 
-fn trained(examples: &[Example], epochs: u32) -> Model {
+/// The model of a run.
+pub(crate) fn trained(examples: &[Example], epochs: u32) -> Model {
     let config = Config { epochs, ..Config::default() };
     let mut trainer = Trainer::new(seed_model(CLEANUP_LEXICON).unwrap(), examples, config);
     while !trainer.is_done() {
         trainer.step();
     }
-    trainer.averaged()
+    trainer.end()
 }
 
 /// The most memory that this process held, in megabytes, where the system tells.

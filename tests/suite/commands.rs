@@ -55,6 +55,21 @@ fn hold(data: &str, at_least: usize) {
 }
 
 #[test]
+fn long_sentences_are_read_whole() {
+    let mut model = shipped();
+    let sentences: Vec<&str> = include_str!("../data/ccg/long.txt").lines().skip(1).collect();
+    assert_eq!(sentences.len(), 10);
+    for sentence in sentences {
+        assert!((30..=40).contains(&sentence.split(' ').count()), "{sentence}");
+        let parse = asked(&mut model, sentence);
+        assert!(parse.answer().is_some() && parse.skipped.is_empty(), "{sentence}: {parse:?}");
+        let clauses = sentence.split(" and ").map(|clause| asked(&mut model, clause).tried);
+        let alone: usize = clauses.sum();
+        assert!(parse.tried < 12 * alone, "{sentence}: {} of {alone}", parse.tried);
+    }
+}
+
+#[test]
 fn closed_words_are_used_with_their_meaning_or_said_to_be_left_out() {
     hold(include_str!("../data/ccg/closed.txt"), 170);
 }

@@ -82,6 +82,7 @@ proptest! {
     fn a_forest_scored_anew_is_a_new_chart(
         command in sentences(),
         all in prop::collection::vec(weights(), 1..4),
+        beam in prop::sample::select(vec![0, 1, 2, 3, 5, 8, usize::MAX]),
     ) {
         let mut model = model(AMBIGUOUS);
         weighted(&mut model);
@@ -90,20 +91,19 @@ proptest! {
         let keeping = ChartConfig { derivations: Derivations::Whole, ..WITHOUT_END };
         let first = filled(&mut model, &words, keeping);
         let mut goals = Goals::default();
-        let mut forest = Forest::of(&mut model.grammar, &mut goals, first.chart());
-        prop_assert_eq!(forest.readings(&model), first.readings);
+        let mut forest = Forest::of(&model.grammar, first.chart(), beam);
         for weights in all {
             reweigh(&mut model, &weights);
-            let anew = filled(&mut model, &words, WITHOUT_END);
+            let anew = filled(&mut model, &words, ChartConfig { beam, ..WITHOUT_END });
             let lexical = lexical_items(&model, &words);
             forest.rescore(&model.grammar, &model.features, &lexical);
-            let (found, wanted) = (forest.readings(&model), &anew.readings);
+            let (found, wanted) = (forest.readings(&mut model, &mut goals), &anew.readings);
             let scored = |readings: &[Reading]| {
                 readings.iter().map(|r| (r.form, r.score.to_bits())).collect::<Vec<_>>()
             };
             prop_assert_eq!(scored(&found), scored(wanted));
             prop_assert_eq!(Forest::answer(&found), anew.answer().map(|reading| reading.form));
-            let found = forest.vectors(&mut model, &words, &empty);
+            let found = forest.vectors(&mut model, &mut goals, &words, &empty);
             let found: Vec<_> = found.iter().map(|(form, vector)| (*form, (**vector).clone())).collect();
             prop_assert_eq!(found, vectors(&mut model, &anew, &empty));
         }
@@ -165,7 +165,7 @@ proptest! {
 #[test]
 fn a_sentence_that_cannot_be_read_by_clause_is_read_as_a_whole() {
     let lexicon = format!(
-        "{AMBIGUOUS}and :- NP\\NP/NP : (lambda $0:e (lambda $1:e $1))\ngo :- NP : (the:<<e,t>,e> door:<e,t>)\n"
+        "{AMBIGUOUS}and :- NP\\NP/NP : (lambda $0:e (lambda $1:e (the:<<e,t>,e> (lambda $2:e (and:<t*,t> (near:<e,<e,t>> $2 $0) (near:<e,<e,t>> $2 $1))))))\ngo :- NP : (the:<<e,t>,e> door:<e,t>)\n"
     );
     let mut model = model(&lexicon);
     weighted(&mut model);
