@@ -62,8 +62,6 @@ pub enum Made {
     ByBackwardComposition,
     /// By a shift: it may not shift again.
     ByShift,
-    /// By putting commands side by side: it may not stand at the right of another.
-    Beside,
 }
 
 /// The variable of the binder around. The parts are closed, so that nothing needs raising below a new binder.
@@ -147,19 +145,14 @@ pub const RULES: &[Rule] = &[
     // Several commands in one sentence: all are to be done. "Leave the red room" is not "leave", then the red room.
     Rule {
         name: "&",
-        syntax: |all, left, right| {
-            let is_command = |part| all.is(part, Atom::S);
-            let joins = match (left, right) {
-                (SyntaxId::LIST, last) => is_command(last),
-                (first, SyntaxId::LIST) => is_command(first),
-                (first, last) => is_command(first) && is_command(last),
-            };
-            joins.then_some(SyntaxId::LIST)
+        syntax: |_, left, right| {
+            let begins = left.is_command() || left == SyntaxId::LIST;
+            (begins && right.is_command()).then_some(SyntaxId::LIST)
         },
         meaning: |terms, left, right| terms.conjoin(&[left, right]),
         written: |left, right| Expression::Name("and".into()).applied(vec![left, right]),
         functor: Side::Beside,
-        made: Made::Beside,
+        made: Made::Plainly,
     },
 ];
 
@@ -384,7 +377,7 @@ impl RuleId {
         match RULES.get(usize::from(self.0)).map(|rule| rule.functor) {
             Some(Side::Left) => left != Made::ByForwardComposition,
             Some(Side::Right) => right != Made::ByBackwardComposition,
-            Some(Side::Beside) => !matches!(right, Made::ByShift | Made::Beside),
+            Some(Side::Beside) => right != Made::ByShift,
             _ => true,
         }
     }

@@ -7,7 +7,6 @@ use super::hearing::taken;
 use super::lexicon::Origin;
 use super::model::Model;
 use super::parse::Parse;
-use super::syntax::SyntaxId;
 
 /// The probability that a parse's one answer is what was meant, and whether to ask before it is done; `None` without an
 /// answer, and where the model has no map for it.
@@ -41,7 +40,7 @@ pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
     }
     let root = root_features(&model.grammar.terms, &model.grammar.sorts, best.form);
     let unseen = root.iter().filter(|&&feature| model.features.weight(feature) == 0.0).count();
-    let is_list = derivation.category().syntax == SyntaxId::LIST;
+    let is_list = derivation.category().syntax.is_several();
     let misspelt = parse.words.iter().zip(words).filter(|(word, heard)| word != heard).count();
     let share = |count: usize, most: usize| count.min(most) as f64 / most as f64;
     let values = [

@@ -25,15 +25,29 @@ impl SyntaxId {
 
     /// Whether a whole sentence may have the category: a command, a prohibition, or several commands.
     pub fn is_sentence(self) -> bool {
-        [Atom::S, Atom::NEG, Atom::LIST].map(|atom| SyntaxId(atom as u32)).contains(&self)
+        self.is_command() || self.is_several() || self.is_one_of(&[Atom::NEG])
+    }
+
+    /// Whether it is a clause that tells to do something: a command, or one with two things.
+    pub(super) fn is_command(self) -> bool {
+        self.is_one_of(&[Atom::S, Atom::PAIR])
+    }
+
+    /// Whether it tells of several things, side by side.
+    pub(super) fn is_several(self) -> bool {
+        self.is_one_of(&[Atom::PAIR, Atom::LIST])
+    }
+
+    fn is_one_of(self, atoms: &[Atom]) -> bool {
+        atoms.iter().any(|&atom| self == SyntaxId(atom as u32))
     }
 }
 
 /// The atoms: sentence, noun, noun phrase, prepositional phrase, adverbial phrase, predicative adjective;
 /// what means nothing here, which its neighbour absorbs; a prohibition, which is a sentence alone and no clause of
 /// another (beside a goal it would hold all the time, not at the end); several commands side by side, which are a
-/// sentence alone too (what is said of the first is not said of all); and what a prohibition alone takes, two things of
-/// which neither is to be.
+/// sentence alone too (what is said of the first is not said of all); what a prohibition alone takes, two things of
+/// which neither is to be; and a command with two things, which no prohibition takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "the names are the categories'")]
 pub enum Atom {
@@ -47,9 +61,10 @@ pub enum Atom {
     NEG,
     LIST,
     ALT,
+    PAIR,
 }
 
-const ATOMS: [(Atom, &str); 10] = [
+const ATOMS: [(Atom, &str); 11] = [
     (Atom::S, "S"),
     (Atom::N, "N"),
     (Atom::NP, "NP"),
@@ -60,6 +75,7 @@ const ATOMS: [(Atom, &str); 10] = [
     (Atom::NEG, "NEG"),
     (Atom::LIST, "LIST"),
     (Atom::ALT, "ALT"),
+    (Atom::PAIR, "PAIR"),
 ];
 
 /// Where a functor looks for its argument: `/` to the right, `\` to the left.
@@ -168,10 +184,10 @@ impl Syntaxes {
         to: SyntaxId,
     ) -> Option<SyntaxId> {
         let modifies_commands = [result, argument].iter().all(|&part| self.is(part, Atom::S));
-        match to {
-            _ if argument == to => Some(result),
-            SyntaxId::LIST if modifies_commands => Some(SyntaxId::LIST),
-            _ => None,
+        if argument == to {
+            Some(result)
+        } else {
+            (modifies_commands && to.is_several()).then_some(to)
         }
     }
 
@@ -186,7 +202,9 @@ impl Syntaxes {
     /// The type of what the category means; `None` where that is left open.
     pub fn ty(&self, types: &mut Types, id: SyntaxId) -> Option<TyId> {
         match self.get(id) {
-            Syntax::Atom(Atom::S | Atom::NEG | Atom::LIST | Atom::ALT) => Some(ty::TRUTH),
+            Syntax::Atom(Atom::S | Atom::NEG | Atom::LIST | Atom::ALT | Atom::PAIR) => {
+                Some(ty::TRUTH)
+            }
             Syntax::Atom(Atom::NP) => Some(ty::ENTITY),
             Syntax::Atom(Atom::N | Atom::PP) => Some(types.function(ty::ENTITY, ty::TRUTH)),
             Syntax::Atom(Atom::AP | Atom::ADJ | Atom::EMPTY) => None,
