@@ -62,7 +62,8 @@ for (const ratio of [1, 1.5, 3]) {
 flow('steps glide', GLIDING, async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
-  await t.check((await stillness(demo)).includes('false'), 'the picture moves between steps');
+  const seen = await stillness(demo);
+  await t.check(seen.includes('false'), `the picture moves between steps: ${seen}`);
 });
 
 flow('steps jump for who prefers less motion', async (t) => {

@@ -53,20 +53,23 @@ const HELD = {
 
 flow('no program of the page reaches another origin or runs a text as code', async (t) => {
   t.expect(/content policy|Content Security Policy|another host is asked|ERR_BLOCKED_BY_CSP|request failed: .*csp/i);
+  const [page, guide] = await Promise.all(['www/index.html', 'www/guide/files.md'].map((name) =>
+    readFile(path.join(root, name), 'utf8')));
+  const [, policy] = /Content-Security-Policy" content="([^"]+)"/.exec(page);
+  await t.check(guide.includes(`\nContent-Security-Policy: ${policy}; frame-ancestors 'none'\n`), 'the guide gives the same policy');
   const other = await stranger();
   try {
     const demo = await openPage(t);
-    const { page } = demo;
     const own = new URL('words.txt', t.address).href;
     await t.until('the renderer draws', async () => (await demo.by('stage').getAttribute('data-backend')) === 'webgl2');
-    await t.equal(() => page.evaluate(attempts, [other.address, own]), HELD, 'the page, with the renderer in it');
+    await t.equal(() => demo.page.evaluate(attempts, [other.address, own]), HELD, 'the page, with the renderer in it');
     await demo.workbench();
     await demo.train();
-    await t.until('both engines run', () => page.workers().length === 2);
-    const programs = await Promise.all(page.workers().map((worker) => worker.evaluate(() =>
+    await t.until('both engines run', () => demo.page.workers().length === 2);
+    const programs = await Promise.all(demo.page.workers().map((worker) => worker.evaluate(() =>
       (performance.getEntriesByType('resource').some(({ name }) => name.endsWith('learner_bg.wasm')) ? 'learner' : 'talker'))));
     await t.equal(programs.sort(), ['learner', 'talker'], 'who they are');
-    for (const worker of page.workers()) {
+    for (const worker of demo.page.workers()) {
       await t.check(worker.url().startsWith('blob:'), `${worker.url()} has the page's policy`);
       await t.equal(() => worker.evaluate(attempts, [other.address, own]), HELD, 'an engine');
     }
