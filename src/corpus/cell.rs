@@ -170,12 +170,12 @@ fn explain(text: &str, path: &str, error: &serde_json::Error) -> Wrong {
         let mend = text.trim_start().starts_with("{'").then(|| "write it as JSON does".to_owned());
         let what =
             format!("not JSON: {}, at character {character} of the cell", cut_quoted(detail));
-        return Wrong { what, snippet: Some(near), mend };
+        return Wrong { snippet: Some(near), mend, ..Wrong::from(what) };
     }
     let at = if path == "." { "the top".to_owned() } else { cut(path, 80) };
     let mend = unknown_word(detail).map(|(word, near)| format!("did you mean {near} for {word}?"));
     let what = format!("{}, at {at}, character {character}", cut_quoted(detail));
-    Wrong { what, snippet: None, mend }
+    Wrong { mend, ..Wrong::from(what) }
 }
 
 /// The word that a message of the world's closed sets refuses, and the known one nearest to it.

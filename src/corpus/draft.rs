@@ -7,6 +7,14 @@ use super::cells::Cells;
 use super::example::{Example, Pair, Row};
 use super::flaw::{Flaw, Wrong};
 
+/// What a form's reader comes to in a step.
+pub(super) enum Found {
+    Nothing,
+    Row(Row),
+    Draft(Box<Draft>),
+    Over,
+}
+
 /// The text of a state, and what its place is called.
 #[derive(Debug)]
 pub(super) struct Place {

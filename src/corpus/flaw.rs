@@ -5,6 +5,9 @@ use std::fmt;
 /// The most characters that a message repeats of what a person's file holds.
 const MAX_ECHO: usize = 40;
 
+/// The most characters of what is wrong.
+const MAX_WHAT: usize = 400;
+
 /// What is wrong with a piece of text, before it is known where the piece stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wrong {
@@ -25,7 +28,7 @@ impl Wrong {
 
 impl From<String> for Wrong {
     fn from(what: String) -> Wrong {
-        Wrong { what, snippet: None, mend: None }
+        Wrong { what: cut(&what, MAX_WHAT), snippet: None, mend: None }
     }
 }
 
@@ -115,5 +118,5 @@ pub(super) fn cut_quoted(message: &str) -> String {
         }
     }
     out.push_str(rest);
-    cut(&out, 400)
+    out
 }

@@ -2,13 +2,12 @@
 //! batch results for names, as programs make of such a table. States are JSON, or JSON in a string.
 
 use super::admit::{Options, is_rejected};
-use super::draft::{Draft, Place};
+use super::draft::{Draft, Found, Place};
 use super::example::{Corpus, MAX_PAIRS, Row};
 use super::flaw::{Flaw, Wrong, cut_quoted, some};
 use super::header::{COMMAND, FORM, ID, POST, PRE, REASON, STATUS, TASK, WORKER};
 use super::items::{Item, Items};
 use super::mturk::form_command;
-use super::read::{Found, refusal};
 use super::source::Source;
 use crate::domain::State;
 use serde::Serialize;
@@ -59,7 +58,7 @@ impl<R: Read> Reader<R> {
     /// # Errors
     /// Why the file cannot be used.
     pub(super) fn step(&mut self) -> Result<Found, Flaw> {
-        Ok(match self.items.step().map_err(|fault| Flaw::of_file(refusal(&fault)))? {
+        Ok(match self.items.step().map_err(|fault| Flaw::of_file(fault.wrong()))? {
             Item::Working => Found::Nothing,
             Item::Over => Found::Over,
             Item::Broken(line, why) => {
@@ -116,7 +115,7 @@ fn row(text: &str, line: u64, options: Options) -> Found {
         found.map(|(name, value)| (&**name, value.get()))
     };
     let plain = |names: [&str; 2]| field(names).and_then(|(_, value)| plain(value).ok());
-    let (status, reason) = (plain(["status", STATUS]), plain(["reject", REASON]));
+    let (status, reason) = (plain([STATUS; 2]), plain([REASON; 2]));
     if !options.with_rejected && is_rejected(status.as_deref(), reason.as_deref()) {
         return Found::Row(Row { rejected: true, ..Row::default() });
     }

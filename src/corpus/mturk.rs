@@ -4,11 +4,10 @@
 use super::admit::{Options, empty, is_rejected, something};
 use super::cell;
 use super::cells::Cells;
-use super::draft::{Draft, Place};
+use super::draft::{Draft, Found, Place};
 use super::example::{Corpus, MAX_CELL_BYTES, MAX_COLUMNS, Row};
 use super::flaw::{Flaw, Wrong, some};
 use super::header::{COMMAND, Header, POST, PRE, Role, TASK};
-use super::read::Found;
 use super::record::{Fault, Record, Records, Step};
 use super::source::Source;
 use std::io::{Read, Write};
@@ -105,7 +104,7 @@ impl<R: Read> Reader<R> {
 /// What to do about a file that cannot be read to its end.
 fn refusal(fault: &Fault) -> Wrong {
     let mend = match fault {
-        Fault::Unreadable(fault) => return super::read::refusal(fault),
+        Fault::Unreadable(fault) => return fault.wrong(),
         Fault::Wide => "see whether this is a corpus, and one row a line",
         Fault::Hopeless => "every quote that opens must close, and one inside a cell is doubled",
     };
@@ -268,7 +267,9 @@ pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
         form => std::slice::from_ref(form),
     };
     let fields = || forms.iter().filter_map(Value::as_object).flatten();
-    let named = fields().find(|(name, _)| *name == "command").and_then(|(_, value)| value.as_str());
+    // An answer that is no text is none: null, most of all.
+    let named = fields().find(|(name, _)| *name == "command");
+    let named = named.map(|(_, value)| value.as_str().unwrap_or_default());
     let mut texts = fields().filter_map(|(_, value)| value.as_str());
     match (named, texts.next(), texts.next()) {
         (Some(command), ..) | (None, Some(command), None) => Ok(command.trim().to_owned()),

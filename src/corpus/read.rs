@@ -2,24 +2,16 @@
 //! that a long reading can be pumped, shown and ended.
 
 use super::admit::{Options, empty, not_a_corpus};
-use super::draft::Draft;
+use super::draft::{Draft, Found};
 use super::example::{Corpus, MAX_ROWS, Row};
 use super::flaw::{Flaw, Wrong};
 use super::header::Header;
-use super::source::{Source, Unreadable};
+use super::source::Source;
 use super::{jsonl, mturk};
 use std::io::Read;
 
 /// The most flaws of a file that are kept; its rows are counted all the same.
 const MAX_FLAWS: usize = 1_000;
-
-/// What a form's reader comes to in a step.
-pub(super) enum Found {
-    Nothing,
-    Row(Row),
-    Draft(Box<Draft>),
-    Over,
-}
 
 /// What a step of reading comes to.
 #[derive(Debug)]
@@ -52,7 +44,7 @@ impl<R: Read> Rows<R> {
     /// # Errors
     /// Why the file is no corpus at all.
     pub fn new(stream: R, options: Options) -> Result<Self, Flaw> {
-        let source = Source::new(stream).map_err(|fault| Flaw::of_file(refusal(&fault)))?;
+        let source = Source::new(stream).map_err(|fault| Flaw::of_file(fault.wrong()))?;
         if let Some(wrong) = not_a_corpus(&source.buffer) {
             return Err(Flaw::of_file(wrong));
         }
@@ -188,13 +180,5 @@ pub fn read(stream: impl Read, options: Options) -> (Corpus, Vec<Flaw>) {
             reading.end()
         }
         Err(flaw) => (Corpus::default(), vec![flaw]),
-    }
-}
-
-/// What to do about a file that cannot be read to its end.
-pub(super) fn refusal(fault: &Unreadable) -> Wrong {
-    match fault {
-        Unreadable::Io(_) => Wrong::from(fault.to_string()),
-        Unreadable::TooLarge => Wrong::with_mend(fault.to_string(), "split it, and give all parts"),
     }
 }

@@ -117,6 +117,11 @@ impl<R: Read> Records<R> {
     pub fn step(&mut self) -> Result<Step, Fault> {
         loop {
             if std::mem::take(&mut self.is_fresh) {
+                // Empty lines are no records.
+                while self.source.buffer.get(self.next) == Some(&b'\n') {
+                    self.next += 1;
+                    self.line += 1;
+                }
                 self.start = self.next;
                 (self.start_line, self.at) = (self.line, At::Start);
                 self.record = Record { line: self.line, ..Record::default() };

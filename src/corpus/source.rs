@@ -3,6 +3,7 @@
 //! wants one, so that reading goes in bounded steps.
 
 use super::example::MAX_FILE_BYTES;
+use super::flaw::Wrong;
 use std::io::Read;
 
 /// Bytes that a step takes.
@@ -17,6 +18,18 @@ pub enum Unreadable {
     /// It is too large.
     #[error("the file is larger than {} MB", MAX_FILE_BYTES >> 20)]
     TooLarge,
+}
+
+impl Unreadable {
+    /// It in words, with what to do.
+    pub(super) fn wrong(&self) -> Wrong {
+        match self {
+            Unreadable::Io(_) => Wrong::from(self.to_string()),
+            Unreadable::TooLarge => {
+                Wrong::with_mend(self.to_string(), "split it, and give all parts")
+            }
+        }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -62,6 +75,7 @@ impl<R: Read> Source<R> {
         if mark == 2 {
             source.encoding = Encoding::Utf16 { big_endian: source.buffer[0] == 0xFE };
             source.raw = source.buffer.split_off(mark);
+            source.buffer.clear();
             source.decode();
         } else {
             source.buffer.drain(..mark);

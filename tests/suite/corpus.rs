@@ -196,6 +196,9 @@ fn answers_of_crowd_forms_are_read() {
         (r#"[{"a":"go","b":"east"}]"#, Err("no answer is called command (found: a, b)")),
         (r#"[{"command":"#, Err("not JSON: EOF")),
         (r#"[{"command":""}]"#, Err("the command is empty")),
+        (r#"[{"command":null}]"#, Err("the command is empty")),
+        (r#"[{"command":"n/a"}]"#, Err("the command is empty")),
+        ("NA", Err("the command is empty")),
         ("", Err("the command is empty")),
     ] {
         let (corpus, flaws) = csv(file(&[&header, &[PRE, &post, form]], "\n"));

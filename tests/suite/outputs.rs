@@ -203,6 +203,12 @@ fn every_report_says_what_became_of_the_rows() {
     let output =
         train(&["--corpus", &at("all.csv"), "--with-rejected", "--out", &at("b.model")], "");
     assert!(output.status.success());
+    let large = fs::File::create(at("large.csv")).unwrap();
+    large.set_len((64 << 20) + 1).unwrap();
+    let output = train(&["--corpus", &at("large.csv"), "--out", &at("b.model")], "");
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(said.contains("the file has 65 MB, more than 64; split it"), "{said}");
 }
 
 #[test]
@@ -229,7 +235,7 @@ fn a_byte_order_mark_is_no_part_of_a_file_and_no_message_speaks_of_the_program()
     let parse = |model: &str, input: &str| call(&["parse", "--model", model], input);
     assert!(parse(&at("marked.model"), "go to the red room\n").status.success());
     fs::write(at("spaces.model"), model.replace('\t', "    ")).unwrap();
-    let said = parse(&at("spaces.model"), "go\n").stderr;
+    let said = parse(&at("spaces.model"), "").stderr;
     assert!(
         !text(&said).contains("Some(") && text(&said).contains("between tabs"),
         "{}",

@@ -2,6 +2,7 @@
 
 use super::command::Failure;
 use groundling::ccg::{General, Model};
+use groundling::corpus::example::MAX_FILE_BYTES;
 use groundling::corpus::{Example, Flaw, Options, read, text_of};
 use serde_json::Value;
 use std::fs::{self, File};
@@ -61,7 +62,17 @@ pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Loaded,
         let source: Box<dyn Read> = if path.as_os_str() == "-" {
             Box::new(io::stdin().lock())
         } else {
-            Box::new(File::open(path).map_err(failed)?)
+            let file = File::open(path).map_err(failed)?;
+            // What is known to be too large need not be read to be refused.
+            let bytes = file.metadata().map_or(0, |found| found.len());
+            if bytes > MAX_FILE_BYTES {
+                let (path, most) = (path.display(), MAX_FILE_BYTES >> 20);
+                return Err(Failure::Usage(format!(
+                    "{path}: the file has {} MB, more than {most}; split it, and give all parts",
+                    bytes.div_ceil(1 << 20)
+                )));
+            }
+            Box::new(file)
         };
         let (corpus, flaws) = read(source, Options { with_rejected });
         let rows =

@@ -49,7 +49,8 @@ flow('files of other programs are read as the command line reads them', async (t
     ['mark.csv', `\ufeff${csv(...rows.slice(1))}`, { examples: 6, rejected: 0, left: 0 }, /^6 commands\. /],
     ['utf-16.txt', Buffer.from(`\ufeff${csv(...rows.slice(1))}`, 'utf16le'), { examples: 6, rejected: 0, left: 0 }, /^6 /],
   ]) {
-    await t.equal(await both(t, demo, name, content), wanted, name);
+    const found = await both(t, demo, name, content);
+    await t.equal(found, wanted, name);
     await t.check(async () => words.test(await count()), async () => `${name}: ${await count()}`);
   }
 });
