@@ -19,7 +19,7 @@ pub enum Step {
     /// There is more to do.
     Working,
     /// A row is read.
-    Row(Row),
+    Row(Box<Row>),
     /// There are no more.
     Over,
 }
@@ -80,7 +80,7 @@ impl<R: Read> Rows<R> {
         if let Some(draft) = &mut self.draft {
             let Some(row) = draft.step() else { return Ok(Step::Working) };
             self.draft = None;
-            return Ok(Step::Row(row));
+            return Ok(Step::Row(Box::new(row)));
         }
         let found = match &mut self.form {
             Form::Table(reader) => reader.step()?,
@@ -97,7 +97,7 @@ impl<R: Read> Rows<R> {
         }
         match found {
             Found::Nothing => Ok(Step::Working),
-            Found::Row(row) => Ok(Step::Row(row)),
+            Found::Row(row) => Ok(Step::Row(Box::new(row))),
             Found::Draft(draft) => {
                 self.draft = Some(draft);
                 Ok(Step::Working)
@@ -139,7 +139,7 @@ impl<R: Read> Reading<R> {
         match self.rows.step() {
             Ok(Step::Working) => true,
             Ok(Step::Row(row)) => {
-                for flaw in self.corpus.add(row) {
+                for flaw in self.corpus.add(*row) {
                     if self.flaws.len() < MAX_FLAWS {
                         self.flaws.push(flaw);
                     } else {

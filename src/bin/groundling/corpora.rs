@@ -100,7 +100,9 @@ fn tell(path: &Path, flaws: &[Flaw], rows: Rows) {
     if flaws.len() > MAX_TOLD {
         let _ = writeln!(error, "{path}: and {} more", flaws.len() - MAX_TOLD);
     }
-    let _ = writeln!(error, "{path}: {rows}");
+    if rows.rejected + rows.left_out > 0 {
+        let _ = writeln!(error, "{path}: {rows}");
+    }
 }
 
 /// The model in a file.

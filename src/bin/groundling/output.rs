@@ -60,7 +60,10 @@ impl Output {
         let text = text.as_bytes();
         match &self.place {
             Place::Standard => io::stdout().write_all(text).map_err(Failure::Output),
-            Place::Through => File::create(&self.name)
+            Place::Through => OpenOptions::new()
+                .write(true)
+                .truncate(true)
+                .open(&self.name)
                 .and_then(|mut file| file.write_all(text))
                 .map_err(|error| cannot(&self.name, &error)),
             Place::Whole(target) => {

@@ -67,6 +67,8 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
     let checkpoint = options.checkpoint.as_deref();
     let checkpoint = checkpoint.map(|path| Output::at(path, inputs())).transpose()?;
     let loaded = examples(&options.corpus, options.with_rejected)?;
+    // Standard error may be gone; the work goes on.
+    let _ = writeln!(io::stderr(), "{}", loaded.rows);
     if let Some(path) = &options.into {
         return into(path, &loaded, &options, &out);
     }

@@ -122,7 +122,7 @@ fn a_line_that_does_not_end_is_refused_in_words_and_in_steps() {
     let start = Instant::now();
     let (_, _, flaws) = steps(wide.into_bytes());
     assert!(said(&flaws).contains("the first line has more than 16384 cells"), "{flaws:?}");
-    assert!(start.elapsed() < Duration::from_secs(1), "{:?}", start.elapsed());
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
     let (_, n, flaws) = steps(vec![b'x'; 40 << 20]);
     assert!(n > 500 && said(&flaws).contains("a cell of it is too large"), "{n}: {flaws:?}");
     let list = [b"[".repeat(1_000), b"{\"a\":".repeat(1 << 20)].concat();
