@@ -2,8 +2,7 @@
 
 use super::action::View;
 use super::state::State;
-use crate::corpus::text_of;
-use crate::ui::page::files::{self, Fault, Kind, Offered};
+use crate::ui::page::files::{self, Kind, Offered};
 use crate::ui::page::model;
 use crate::ui::{talk, train};
 use crate::worker::protocol::CorpusFile;
@@ -33,7 +32,7 @@ pub(super) fn open(state: &mut State, files: Vec<Offered>) {
                 corpora.push(CorpusFile { name: name.clone(), bytes });
                 return Ok(());
             }
-            let text = text_of(bytes).map_err(Fault::NotText)?;
+            let text = files::text(bytes)?;
             if kind == Kind::Model {
                 model::open_file(shared, text);
             } else {

@@ -57,3 +57,17 @@ pub fn kind(name: &str, bytes: &[u8]) -> Kind {
     let named = name.rsplit_once('.').is_some_and(|(_, end)| end.eq_ignore_ascii_case("model"));
     if named || start.starts_with(b"groundling") { Kind::Model } else { Kind::Corpus }
 }
+
+/// The text of a file that is read whole, without its byte-order mark.
+///
+/// # Errors
+/// When it is not UTF-8.
+pub fn text(mut bytes: Vec<u8>) -> Result<String, Fault> {
+    if bytes.starts_with(b"\xEF\xBB\xBF") {
+        bytes.drain(..3);
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Fault::NotText(1 + error.as_bytes().iter().take(at).filter(|b| **b == b'\n').count())
+    })
+}

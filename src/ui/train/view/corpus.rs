@@ -35,11 +35,11 @@ pub(super) fn corpus(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             </div>
             { open_file("corpus-file", text.open_corpus, accept, Some(text.corpus_hint), &act.reform(Action::Offered)) }
             if let Some((done, of)) = state.reading.filter(|(_, of)| *of > LONG) {
-                <div class="bar" data-testid="reading">
-                    <progress aria-label={text.reading_row} max={of.to_string()} value={done.to_string()} />
-                    <button type="button" class="plain" data-testid="stop-reading"
+                <p class="dim" data-testid="reading">
+                    { format!("{} {} % ", text.reading_row, done * 100 / of) }
+                    <button type="button" class="link" data-testid="stop-reading"
                         onclick={act.reform(|_| Action::StopReading)}>{ text.cancel }</button>
-                </div>
+                </p>
             }
             if let Some(notice) = notice {
                 <div class="notice bad" role="alert" data-testid="file-notice">
