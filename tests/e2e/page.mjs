@@ -258,11 +258,13 @@ export class Demo {
     return this.dropAll([[name, text]]);
   }
 
-  /** Drops files anywhere on the page, each a name and a text. */
+  /** Drops files anywhere on the page, each a name and a text, and perhaps what follows it so many times. */
   async dropAll(files) {
     const transfer = await this.page.evaluateHandle((all) => {
       const data = new DataTransfer();
-      for (const [name, text] of all) data.items.add(new File([text], name, { type: 'text/csv' }));
+      for (const [name, text, more = '', times = 0] of all) {
+        data.items.add(new File([text, ...Array(times).fill(more)], name, { type: 'text/csv' }));
+      }
       return data;
     }, files);
     await this.page.locator('main').dispatchEvent('drop', { dataTransfer: transfer });
