@@ -6,7 +6,7 @@ SHELL := bash
 .ONESHELL:
 .SILENT:
 .DEFAULT_GOAL := help
-.PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora update-goldens plots \
+.PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora check-programs update-goldens plots \
 	rust-parts wasm-target chromium packages command-line xz corpus model doubt words
 
 # Where our own tools live; another folder can be given to share them between work trees.
@@ -125,6 +125,9 @@ check-corpora: build chromium ## train the page on a corpus kept elsewhere: DIR=
 	test -n "$(DIR)" || { echo "say where the corpora are: make check-corpora DIR=folder" >&2; exit 2; }
 	test -f "$(DIR)/amt-six-train.csv" || { echo "$(DIR) has no amt-six-train.csv" >&2; exit 2; }
 	CORPORA="$(abspath $(DIR))" node tests/e2e/run.mjs --folder corpora
+
+check-programs: command-line ## read what pandas, R, LibreOffice and jq write, those that are installed: PYTHON=a Python with pandas
+	bash tests/programs.sh
 
 e2e: build command-line chromium ## drive the built site in Chromium: FLOWS="words of their titles" for some
 	node tests/e2e/run.mjs $(FLOWS)

@@ -1,8 +1,8 @@
-// An engine's worker. The talker is the page's own program over again, which the page sends along, compiled; the
-// learner (`engine.js?learner`) is loaded from beside. A program that does not start says so
-// in words, where the page expects bytes.
+// An engine's worker, imported from a text that the page makes, so that the page's content policy holds in it. The talker
+// is the page's own program over again, which the page sends along, compiled; the learner (`engine.js?learner`) is
+// loaded from beside. A program that does not start says so in words, where the page expects bytes.
 
-const learns = location.search === "?learner";
+const learns = import.meta.url.endsWith("?learner");
 
 /** What the page sends first: the address of its script, and its program. */
 const sent = () => new Promise((resolve) => {

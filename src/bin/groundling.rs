@@ -6,6 +6,8 @@
 mod command;
 #[path = "groundling/corpora.rs"]
 mod corpora;
+#[path = "groundling/output.rs"]
+mod output;
 #[path = "groundling/figures.rs"]
 mod figures;
 #[path = "groundling/parallel.rs"]

@@ -261,7 +261,12 @@ impl Model {
             ["doubt", sign, value] => {
                 self.doubt.get_or_insert_default().read_line(sign, value)?;
             }
-            _ => return Err(format!("no line of a model begins with {:?}", fields.first())),
+            _ => {
+                let begin: String = fields.concat().chars().take(20).collect();
+                return Err(format!(
+                    "no line of a model begins with {begin:?}; its parts stand between tabs, not spaces"
+                ));
+            }
         }
         Ok(())
     }
@@ -439,7 +444,10 @@ impl Model {
                 Feature::Head(self.read_constant(relation)?, place, self.read_constant(head)?)
             }
             ["heads", a, b] => Feature::Heads(self.read_constant(a)?, self.read_constant(b)?),
-            _ => return Err(format!("there is no feature {:?}", fields.first())),
+            _ => {
+                let begin: String = fields.concat().chars().take(20).collect();
+                return Err(format!("there is no feature {begin:?} with so many parts"));
+            }
         })
     }
 }

@@ -14,7 +14,7 @@ use super::hearing::{Hearing, taken};
 use super::lexicon::EntryId;
 use super::lookup::lexical_item;
 use super::model::Model;
-use super::sentence::{MAX_WORDS, words};
+use super::sentence::{is_too_long, words};
 use crate::logic::{TermId, Terms, TyId, ty};
 use indexmap::IndexMap;
 use indexmap::map::Entry;
@@ -144,10 +144,9 @@ pub fn parse(model: &mut Model, command: &str, config: ChartConfig) -> Parse {
 
 /// Parses a command that was taken apart.
 pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -> Parse {
-    let reason = match words.len() {
-        0 => Some(Reason::Empty),
-        n if n > MAX_WORDS => Some(Reason::TooLong),
-        _ => None,
+    let reason = match words.is_empty() {
+        true => Some(Reason::Empty),
+        false => is_too_long(&words).then_some(Reason::TooLong),
     };
     if reason.is_some() {
         let chart =

@@ -6,7 +6,11 @@ use unicode_normalization::char::{canonical_combining_class, compose, decompose_
 /// Words that a command may have.
 pub const MAX_WORDS: usize = 50;
 
-/// The words of a command, at most `MAX_WORDS` + 1 of them (one more than can be parsed tells that it is too long).
+/// Letters that a command's words may have in all.
+pub const MAX_LETTERS: usize = 2_000;
+
+/// The words of a command, at most `MAX_WORDS` + 1 of them, and at most `MAX_LETTERS` + 1 letters (one more than can be
+/// parsed tells that it is too long).
 pub fn words(command: &str) -> Vec<String> {
     composed_words(&nfc(command).into_iter().collect::<String>())
 }
@@ -34,7 +38,27 @@ pub fn composed_words(command: &str) -> Vec<String> {
             break;
         }
     }
+    cut(&mut words);
     words
+}
+
+/// Whether words are more than can be parsed.
+pub(super) fn is_too_long(words: &[String]) -> bool {
+    let letters: usize = words.iter().map(|word| word.chars().count()).sum();
+    words.len() > MAX_WORDS || letters > MAX_LETTERS
+}
+
+/// Cuts words where they have one letter too many.
+fn cut(words: &mut Vec<String>) {
+    let mut left = MAX_LETTERS + 1;
+    for (at, word) in words.iter_mut().enumerate() {
+        let end = word.char_indices().nth(left).map_or(word.len(), |(end, _)| end);
+        word.truncate(end);
+        left -= word.chars().count();
+        if left == 0 {
+            return words.truncate(at + 1);
+        }
+    }
 }
 
 fn is_separator(c: char) -> bool {

@@ -1,8 +1,8 @@
-//! What is taken of a file, whatever its form: which rows, which commands, and what is no corpus at all.
+//! What is taken of a file, whatever its form: which rows, which commands, what counts as nothing, and what is no
+//! corpus at all.
 
 use super::example::MAX_COMMAND_CHARS;
-
-pub(super) const EMPTY: &str = "the file is empty; it needs a header and a row for each command";
+use super::flaw::Wrong;
 
 /// What to read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -11,30 +11,66 @@ pub struct Options {
     pub with_rejected: bool,
 }
 
-/// Whether a command can be kept.
-pub(super) fn check_command(command: &str) -> Result<(), String> {
-    let length = command.chars().count();
-    if command.is_empty() {
-        return Err("the command is empty; say what the robot should do, or delete the row".into());
-    }
-    if length > MAX_COMMAND_CHARS {
-        return Err(format!(
-            "the command has {length} characters, more than {MAX_COMMAND_CHARS}; shorten it"
-        ));
-    }
-    Ok(())
+/// What programs write where there is nothing: R, pandas, spreadsheets, databases.
+const NOTHING: [&str; 9] = ["", "na", "n/a", "nan", "null", "none", "#n/a", "<na>", "undefined"];
+
+/// The text without the white space around it, unless it is a mark of nothing.
+pub(super) fn something(text: &str) -> Option<&str> {
+    let text = text.trim();
+    let nothing = NOTHING.iter().any(|mark| text.eq_ignore_ascii_case(mark));
+    (!nothing).then_some(text)
 }
 
-/// The file's own reason to be no corpus, from its first bytes.
-pub(super) fn not_a_corpus(head: &[u8]) -> Option<&'static str> {
+/// Whether a row was rejected: by its status, or by the reason that was given.
+pub(super) fn is_rejected(status: Option<&str>, reason: Option<&str>) -> bool {
+    let says_so = status.and_then(something).is_some_and(|s| s.eq_ignore_ascii_case("rejected"));
+    says_so || reason.and_then(something).is_some()
+}
+
+/// The command of a row, if it can be kept. A word has a letter or a digit, as for those who read it.
+pub(super) fn command(text: Option<&str>) -> Result<String, Wrong> {
+    let Some(command) = text.and_then(something) else {
+        return Err(Wrong::with_mend(
+            "the command is empty",
+            "say what the robot should do, or delete the row",
+        ));
+    };
+    let length = command.chars().count();
+    if length > MAX_COMMAND_CHARS {
+        let what = format!("the command has {length} characters, more than {MAX_COMMAND_CHARS}");
+        return Err(Wrong::with_mend(what, "shorten it"));
+    }
+    if !command.contains(char::is_alphanumeric) {
+        return Err(Wrong {
+            snippet: Some(super::flaw::cut(command, 20)),
+            ..Wrong::with_mend(
+                "the command has no word",
+                "say what the robot should do, or delete the row",
+            )
+        });
+    }
+    Ok(command.to_owned())
+}
+
+/// That there is nothing to read.
+pub(super) fn empty() -> Wrong {
+    Wrong::with_mend("the file is empty", "it needs a header and a row for each command, or JSON")
+}
+
+/// The file's own reason to be no corpus, from its first bytes; those of a text are UTF-8 by now.
+pub(super) fn not_a_corpus(head: &[u8]) -> Option<Wrong> {
+    let wrong = |what: &str, mend: &str| Some(Wrong::with_mend(what, mend));
     match head {
-        [] => Some(EMPTY),
         [b'P', b'K', 3, 4, ..] => {
-            Some("this is a spreadsheet or a zip file; save it as CSV in UTF-8")
+            wrong("this is a spreadsheet or a zip file", "save it as CSV in UTF-8")
         }
-        [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => Some("this is UTF-16 text; save it as CSV in UTF-8"),
-        _ if head.contains(&0) => Some("this is not a text file; a corpus is CSV or JSON lines"),
-        _ if head.trim_ascii().is_empty() => Some(EMPTY),
+        [0x1F, 0x8B, ..] => wrong("this is a gzip file", "unpack it first"),
+        [0xD0, 0xCF, 0x11, 0xE0, ..] => {
+            wrong("this is an old spreadsheet", "save it as CSV in UTF-8")
+        }
+        _ if head.contains(&0) => {
+            wrong("this is not a text file", "a corpus is CSV or JSON, in UTF-8")
+        }
         _ => None,
     }
 }

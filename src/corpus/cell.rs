@@ -2,17 +2,19 @@
 //! the cell. The state before must be legal; the state after may be odd, since people's data is.
 
 use super::example::{MAX_CELL_BYTES, Pair};
+use super::flaw::{Wrong, cut, cut_quoted};
 use crate::domain::{Bounds, State};
 use serde::de::DeserializeOwned;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Reads a state before a demonstration.
 ///
 /// # Errors
 /// What is wrong, where in the text, and what to mend.
-pub fn before(text: &str) -> Result<State, String> {
-    let state: State = json(text)?;
-    state.check().map_err(|error| error.to_string())?;
+pub fn before(text: &str) -> Result<State, Wrong> {
+    let state: State = json(&unwrapped(text))?;
+    state.check().map_err(|error| Wrong::from(error.to_string()))?;
     Ok(state)
 }
 
@@ -20,9 +22,9 @@ pub fn before(text: &str) -> Result<State, String> {
 ///
 /// # Errors
 /// What is wrong, where in the text, and what to mend.
-pub fn after(text: &str) -> Result<(State, Vec<String>), String> {
-    let state: State = json(text)?;
-    let shared = state.check_after().map_err(|error| error.to_string())?;
+pub fn after(text: &str) -> Result<(State, Vec<String>), Wrong> {
+    let state: State = json(&unwrapped(text))?;
+    let shared = state.check_after().map_err(|error| Wrong::from(error.to_string()))?;
     let odd = |error: &dyn std::fmt::Display| format!("{error} (kept, since it is a state after)");
     Ok((state, shared.iter().map(|error| odd(error)).collect()))
 }
@@ -31,12 +33,12 @@ pub fn after(text: &str) -> Result<(State, Vec<String>), String> {
 ///
 /// # Errors
 /// What is wrong, where in the text, and what to mend.
-pub fn json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+pub fn json<T: DeserializeOwned>(text: &str) -> Result<T, Wrong> {
     if text.trim().is_empty() {
-        return Err("the cell is empty; it must hold JSON".into());
+        return Err(Wrong::with_mend("the cell is empty", "it must hold JSON"));
     }
     if text.len() > MAX_CELL_BYTES {
-        return Err(format!("the cell is larger than {} MB", MAX_CELL_BYTES >> 20));
+        return Err(Wrong::from(format!("the cell is larger than {} MB", MAX_CELL_BYTES >> 20)));
     }
     let mut reader = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
@@ -45,6 +47,12 @@ pub fn json<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     })?;
     reader.end().map_err(|error| explain(text, ".", &error))?;
     Ok(value)
+}
+
+/// The JSON of a state that a program has put into a string; any other text as it is.
+fn unwrapped(text: &str) -> Cow<'_, str> {
+    let inner = text.trim().starts_with('"').then(|| serde_json::from_str(text).ok()).flatten();
+    inner.map_or(Cow::Borrowed(text), Cow::Owned)
 }
 
 /// Which state of a demonstration a flaw is in.
@@ -56,7 +64,7 @@ pub enum Moment {
 }
 
 /// A demonstration of two cells; every flaw and oddity goes to `flaw`. `None` when it cannot be used.
-pub fn demonstration(pre: &str, post: &str, mut flaw: impl FnMut(Moment, String)) -> Option<Pair> {
+pub fn demonstration(pre: &str, post: &str, mut flaw: impl FnMut(Moment, Wrong)) -> Option<Pair> {
     let before = before(pre).map_err(|error| flaw(Moment::Before, error));
     let after = after(post).map_err(|error| flaw(Moment::After, error));
     let (Ok(before), Ok((after, mut said))) = (before, after) else { return None };
@@ -65,7 +73,7 @@ pub fn demonstration(pre: &str, post: &str, mut flaw: impl FnMut(Moment, String)
         Err(errors) => (None, errors),
     };
     said.extend(more);
-    said.into_iter().for_each(|message| flaw(Moment::After, message));
+    said.into_iter().for_each(|message| flaw(Moment::After, Wrong::from(message)));
     pair
 }
 
@@ -151,19 +159,23 @@ fn place(b: &Bounds) -> String {
     format!("left {} bottom {} right {} top {}", b.left, b.bottom, b.right, b.top)
 }
 
-fn explain(text: &str, path: &str, error: &serde_json::Error) -> String {
+fn explain(text: &str, path: &str, error: &serde_json::Error) -> Wrong {
     let offset = offset(text, error.line(), error.column());
     let character = text.get(..offset).unwrap_or(text).chars().count().max(1);
     let full = error.to_string();
     let detail = full.split(" at line ").next().unwrap_or(&full);
     if error.is_syntax() || error.is_eof() {
         let near: String = text.chars().skip(character.saturating_sub(12)).take(24).collect();
-        return format!("not JSON: {detail}, at character {character} of the cell, near {near:?}");
+        // As Python prints what it has read.
+        let mend = text.trim_start().starts_with("{'").then(|| "write it as JSON does".to_owned());
+        let what =
+            format!("not JSON: {}, at character {character} of the cell", cut_quoted(detail));
+        return Wrong { snippet: Some(near), mend, ..Wrong::from(what) };
     }
-    let at = if path == "." { "the top".to_owned() } else { path.to_owned() };
-    let hint = unknown_word(detail)
-        .map_or_else(String::new, |(word, near)| format!("; did you mean {near} for {word}?"));
-    format!("{detail}, at {at}, character {character}{hint}")
+    let at = if path == "." { "the top".to_owned() } else { cut(path, 80) };
+    let mend = unknown_word(detail).map(|(word, near)| format!("did you mean {near} for {word}?"));
+    let what = format!("{}, at {at}, character {character}", cut_quoted(detail));
+    Wrong { mend, ..Wrong::from(what) }
 }
 
 /// The word that a message of the world's closed sets refuses, and the known one nearest to it.

@@ -1,12 +1,15 @@
-//! What a corpus is made of: examples, each a command and its demonstrations, and the flaws found in reading.
+//! What a corpus is made of: examples, each a command and its demonstrations, and what became of a file's rows.
 
+use super::cells::Cells;
+use super::flaw::Flaw;
 use crate::domain::State;
-use std::fmt;
 
 /// The largest file that is read, in bytes.
 pub const MAX_FILE_BYTES: u64 = 64 << 20;
-/// The largest cell (or JSON line's state) that is read, in bytes.
+/// The largest cell (or state of JSON) that is read, in bytes.
 pub const MAX_CELL_BYTES: usize = 1 << 20;
+/// The most columns of a table: those of a spreadsheet.
+pub const MAX_COLUMNS: usize = 16_384;
 /// The most rows that are read from one file.
 pub const MAX_ROWS: usize = 100_000;
 /// The longest command that is kept, in characters; how many words a parser takes is the parser's affair.
@@ -29,7 +32,7 @@ pub struct Example {
     pub id: String,
     /// The line of the file where it begins, from 1; 0 when it came from no file.
     pub line: u64,
-    /// What was said, without the white space around it; never empty.
+    /// What was said, without the white space around it; it holds a letter or a digit.
     pub command: String,
     /// The label of the task, for evaluation only; learning does not look at it.
     pub task: Option<String>,
@@ -39,7 +42,7 @@ pub struct Example {
     pub pairs: Vec<Pair>,
     /// The cells of the columns that groundling has no use for, in the order of the header; written back as
     /// they were. Empty when it came from no CSV file.
-    pub rest: Vec<String>,
+    pub rest: Cells,
 }
 
 /// Examples of one origin.
@@ -51,42 +54,52 @@ pub struct Corpus {
     pub columns: Vec<String>,
     /// Rows left out because they were rejected.
     pub rejected: usize,
+    /// Rows left out because something is wrong with them.
+    pub left_out: usize,
 }
 
-/// Something wrong, or odd, in an outside text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Flaw {
-    /// The line where the row begins, from 1; 0 for the file as a whole.
-    pub line: u64,
-    /// The column's name, where one is to blame.
-    pub column: Option<String>,
-    /// What is wrong and what to mend, in words for a person.
-    pub message: String,
-    /// Whether the row was kept all the same.
-    pub kept: bool,
-}
-
-impl Flaw {
-    /// A flaw of the file as a whole.
-    pub fn of_file(message: impl Into<String>) -> Flaw {
-        Flaw { line: 0, column: None, message: message.into(), kept: false }
+impl Corpus {
+    /// All rows that were read: used, rejected and left out.
+    pub fn rows(&self) -> usize {
+        self.examples.len() + self.rejected + self.left_out
     }
 
-    /// A flaw of the row that begins at `line`; whether the row is kept is settled later.
-    pub(crate) fn of_row(line: u64, column: Option<&str>, message: impl Into<String>) -> Flaw {
-        Flaw { line, column: column.map(str::to_owned), message: message.into(), kept: false }
+    /// Takes in another file's rows.
+    pub fn append(&mut self, other: Corpus) {
+        self.examples.extend(other.examples);
+        self.rejected += other.rejected;
+        self.left_out += other.left_out;
+        if self.columns.is_empty() {
+            self.columns = other.columns;
+        }
     }
-}
 
-impl fmt::Display for Flaw {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.line > 0 {
-            write!(f, "line {}: ", self.line)?;
+    /// Why no row of the file that this was read from can be used; nothing when one can.
+    pub fn why_empty(&self, flaws: &[Flaw]) -> Option<String> {
+        match (self.rows(), self.rejected) {
+            _ if !self.examples.is_empty() => None,
+            (rows, rejected) if rows > 0 && rows == rejected => Some(match rows {
+                1 => "its only row is rejected".to_owned(),
+                _ => format!("all its {rows} rows are rejected"),
+            }),
+            (_, rejected) => {
+                let first = flaws.first().map_or("it has no rows".to_owned(), Flaw::to_string);
+                let more = if rejected > 0 {
+                    format!(" ({rejected} are rejected)")
+                } else {
+                    String::new()
+                };
+                Some(first + &more)
+            }
         }
-        if let Some(column) = &self.column {
-            write!(f, "{column}: ")?;
-        }
-        f.write_str(&self.message)
+    }
+
+    /// Takes in what came of one row, and hands back its flaws.
+    pub fn add(&mut self, row: Row) -> Vec<Flaw> {
+        self.rejected += usize::from(row.rejected);
+        self.left_out += usize::from(row.example.is_none() && !row.rejected);
+        self.examples.extend(row.example);
+        row.flaws
     }
 }
 
@@ -102,7 +115,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// A row, or the rest of a file, of which there is only bad to say.
+    /// A row of which there is only bad to say.
     pub(crate) fn bad(flaw: Flaw) -> Row {
         Row { example: None, rejected: false, flaws: vec![flaw] }
     }

@@ -1,39 +1,23 @@
-//! JSON lines: `{id, command, task?, worker?, pairs: [{pre, post}]}` a line, in and out.
+//! JSON, in and out: `{id, command, task?, worker?, pairs: [{pre, post}]}` an object, or an object with the columns of
+//! batch results for names, as programs make of such a table. States are JSON, or JSON in a string.
 
-use super::admit::{check_command, not_a_corpus};
-use super::cell::{self, Moment};
-use super::example::{
-    Corpus, Example, Flaw, MAX_CELL_BYTES, MAX_FILE_BYTES, MAX_PAIRS, MAX_ROWS, Row,
-};
+use super::admit::{Options, is_rejected};
+use super::draft::{Draft, Found, Place};
+use super::example::{Corpus, MAX_PAIRS, Row};
+use super::flaw::{Flaw, Wrong, cut_quoted, some};
+use super::header::{COMMAND, FORM, ID, POST, PRE, REASON, STATUS, TASK, WORKER};
+use super::items::{Item, Items};
+use super::mturk::form_command;
+use super::source::Source;
 use crate::domain::State;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::value::RawValue;
-use std::io::{BufRead, BufReader, Read, Write};
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::io::{Read, Write};
 
-/// The longest line that is read, in bytes.
-const MAX_LINE_BYTES: u64 = 2 * (MAX_CELL_BYTES * 4) as u64;
-
-/// A line as it is read: states as text, so that an error has a place in its own state.
-#[derive(Deserialize)]
-struct LineIn<'a> {
-    #[serde(default)]
-    id: Option<String>,
-    command: String,
-    #[serde(default)]
-    task: Option<String>,
-    #[serde(default)]
-    worker: Option<String>,
-    #[serde(borrow)]
-    pairs: Vec<PairIn<'a>>,
-}
-
-#[derive(Deserialize)]
-struct PairIn<'a> {
-    #[serde(borrow)]
-    pre: &'a RawValue,
-    #[serde(borrow)]
-    post: &'a RawValue,
-}
+/// An object, its values as they stand.
+type Fields<'a> = BTreeMap<Cow<'a, str>, &'a RawValue>;
 
 #[derive(Serialize)]
 struct LineOut<'a> {
@@ -52,79 +36,45 @@ struct PairOut<'a> {
     post: &'a State,
 }
 
-/// A reader of JSON lines, line by line. Empty lines are skipped.
-pub struct Reader<R> {
-    source: BufReader<R>,
-    line: u64,
-    rows: usize,
-    bytes: u64,
-    ended: bool,
+/// A reader of JSON, object by object.
+pub(super) struct Reader<R> {
+    items: Items<R>,
+    options: Options,
 }
 
 impl<R: Read> Reader<R> {
-    /// A reader at the beginning of `source`.
-    ///
-    /// # Errors
-    /// Why the file holds no JSON lines: empty, not text.
-    pub fn new(source: R) -> Result<Self, Flaw> {
-        let mut source = BufReader::new(source);
-        let head = source.fill_buf().map_err(|error| Flaw::of_file(error.to_string()))?;
-        if let Some(reason) = not_a_corpus(head) {
-            return Err(Flaw::of_file(reason));
-        }
-        let mark = if head.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 };
-        source.consume(mark);
-        Ok(Reader { source, line: 0, rows: 0, bytes: mark as u64, ended: false })
+    /// A reader at the beginning of a file.
+    pub(super) fn new(source: Source<R>, options: Options) -> Self {
+        Reader { items: Items::new(source), options }
     }
 
     /// Bytes read so far, for progress.
-    pub fn bytes(&self) -> u64 {
-        self.bytes
+    pub(super) fn bytes(&self) -> u64 {
+        self.items.bytes()
     }
 
-    fn end(&mut self, message: String) -> Option<Row> {
-        self.ended = true;
-        Some(Row::bad(Flaw::of_file(message)))
-    }
-}
-
-impl<R: Read> Iterator for Reader<R> {
-    type Item = Row;
-
-    fn next(&mut self) -> Option<Row> {
-        while !self.ended {
-            let mut text = Vec::new();
-            let taken = self.source.by_ref().take(MAX_LINE_BYTES).read_until(b'\n', &mut text);
-            let taken = match taken {
-                Ok(0) if self.rows == 0 => return self.end("the file has no rows".into()),
-                Ok(0) => break,
-                Ok(taken) => taken as u64,
-                Err(error) => return self.end(format!("the file could not be read: {error}")),
-            };
-            self.line += 1;
-            self.bytes += taken;
-            if self.bytes > MAX_FILE_BYTES {
-                let limit = MAX_FILE_BYTES >> 20;
-                return self
-                    .end(format!("the file is larger than {limit} MB; the rest was not read"));
+    /// Goes on by a bounded part.
+    ///
+    /// # Errors
+    /// Why the file cannot be used.
+    pub(super) fn step(&mut self) -> Result<Found, Flaw> {
+        Ok(match self.items.step().map_err(|fault| Flaw::of_file(fault.wrong()))? {
+            Item::Working => Found::Nothing,
+            Item::Over => Found::Over,
+            Item::Broken(line, why) => {
+                let wrong =
+                    Wrong::with_mend(format!("this is no JSON object: {why}"), "mend the row");
+                Found::Row(Row::bad(Flaw::of_row(line, None, wrong)))
             }
-            if taken == MAX_LINE_BYTES && !text.ends_with(b"\n") {
-                return self.end(format!("line {} is too long; the rest was not read", self.line));
-            }
-            if text.trim_ascii().is_empty() {
-                continue;
-            }
-            self.rows += 1;
-            if self.rows > MAX_ROWS {
-                return self.end(format!("more than {MAX_ROWS} rows; the rest was not read"));
-            }
-            return Some(match std::str::from_utf8(&text) {
-                Ok(text) => row(text, self.line),
-                Err(_) => Row::bad(Flaw::of_row(self.line, None, "the line is not UTF-8 text")),
-            });
-        }
-        self.ended = true;
-        None
+            Item::Text(line, bytes) => match String::from_utf8(bytes) {
+                Ok(text) => row(&text, line, self.options),
+                Err(_) => {
+                    let wrong =
+                        Wrong::with_mend("the line is not UTF-8 text", "save the file in UTF-8");
+                    Found::Row(Row::bad(Flaw::of_row(line, None, wrong)))
+                }
+            },
+        })
     }
 }
 
@@ -148,48 +98,122 @@ pub fn write(corpus: &Corpus, mut out: impl Write) -> std::io::Result<()> {
     Ok(())
 }
 
-fn row(text: &str, line: u64) -> Row {
-    let read: LineIn<'_> = match serde_json::from_str(text) {
-        Ok(read) => read,
-        Err(error) => {
-            let full = error.to_string();
-            let detail = full.split(" at line ").next().unwrap_or(&full);
-            let message = format!("{detail}, at character {} of the line", error.column());
-            return Row::bad(Flaw::of_row(line, None, message));
+/// What an object says.
+fn row(text: &str, line: u64, options: Options) -> Found {
+    let bad = |wrong: Wrong| Found::Row(Row::bad(Flaw::of_row(line, None, wrong)));
+    let fields: Fields<'_> = match serde_json::from_str(text) {
+        Ok(fields) => fields,
+        Err(error) if error.is_data() => {
+            let what = "this is no JSON object";
+            let mend = "a row is {\"command\": …, \"pairs\": [{\"pre\": …, \"post\": …}]}";
+            return bad(Wrong::with_mend(what, mend));
         }
+        Err(error) => return bad(Wrong::from(broken(&error))),
     };
-    let mut flaws = Vec::new();
-    let mut flaw = |column: String, message: String| {
-        flaws.push(Flaw::of_row(line, Some(&column), message));
+    let field = |names: [&str; 2]| {
+        let found = names.into_iter().find_map(|name| fields.get_key_value(name));
+        found.map(|(name, value)| (&**name, value.get()))
     };
-    let mut good = true;
-    let command = read.command.trim().to_owned();
-    if let Err(message) = check_command(&command) {
-        flaw("command".into(), message);
-        good = false;
+    let plain = |names: [&str; 2]| field(names).and_then(|(_, value)| plain(value).ok());
+    let (status, reason) = (plain([STATUS; 2]), plain([REASON; 2]));
+    if !options.with_rejected && is_rejected(status.as_deref(), reason.as_deref()) {
+        return Found::Row(Row { rejected: true, ..Row::default() });
     }
-    if read.pairs.is_empty() || read.pairs.len() > MAX_PAIRS {
-        flaw("pairs".into(), format!("a row needs 1 to {MAX_PAIRS} pairs of pre and post"));
-        good = false;
+    let mut draft = Draft::new(line);
+    let mut text = |names| {
+        let (name, value) = field(names)?;
+        self::plain(value).map_err(|wrong| draft.blame(Some(name), wrong)).ok()
+    };
+    let own = (text(["id", ID]), text(["task", TASK]), text(["worker", WORKER]));
+    (draft.id, draft.task, draft.worker) = own;
+    match (field(["command", COMMAND]), field([FORM, FORM])) {
+        (None, None) => {
+            let known = some(fields.keys().map(|name| &**name));
+            let what = format!("the row has no command (found: {known})");
+            draft.blame(None, Wrong::with_mend(what, "say it in \"command\""));
+        }
+        (None, Some((name, form))) => {
+            draft.say(name, self::plain(form).and_then(|form| form_command(&form)));
+        }
+        (Some((name, command)), _) => draft.say(name, self::plain(command)),
     }
-    let mut pairs = Vec::new();
-    for (n, read) in read.pairs.iter().take(MAX_PAIRS).enumerate() {
-        let found = cell::demonstration(read.pre.get(), read.post.get(), |moment, message| {
-            let side = if moment == Moment::Before { "pre" } else { "post" };
-            flaw(format!("pairs[{n}].{side}"), message);
-        });
-        good &= found.is_some();
-        pairs.extend(found);
+    states(&fields, &mut draft);
+    Found::Draft(Box::new(draft))
+}
+
+/// The demonstrations of an object: its `pairs`, or its columns.
+fn states(fields: &Fields<'_>, draft: &mut Draft) {
+    let place = |column: String, value: &RawValue| Place { column, text: value.get().to_owned() };
+    let mut states = Vec::new();
+    if let Some(pairs) = fields.get("pairs") {
+        let pairs: Vec<Fields<'_>> = match serde_json::from_str(pairs.get()) {
+            Ok(pairs) => pairs,
+            Err(_) => {
+                let mend = "it is a list: [{\"pre\": …, \"post\": …}]";
+                return draft
+                    .blame(Some("pairs"), Wrong::with_mend("this is no list of pairs", mend));
+            }
+        };
+        if pairs.is_empty() || pairs.len() > MAX_PAIRS {
+            let wrong = format!("a row needs 1 to {MAX_PAIRS} pairs of pre and post");
+            return draft.blame(Some("pairs"), wrong);
+        }
+        for (n, pair) in pairs.iter().enumerate() {
+            let side = |side: &str| (format!("pairs[{n}].{side}"), pair.get(side));
+            match (side("pre"), side("post")) {
+                ((pre, Some(before)), (post, Some(after))) => {
+                    states.push((place(pre, before), place(post, after)));
+                }
+                ((name, None), _) | (_, (name, None)) => {
+                    draft.blame(Some(&name), "the state is missing".to_owned());
+                }
+            }
+        }
+    } else {
+        let number = |n: usize| [format!("{PRE}{n}"), format!("{POST}{n}")];
+        for [pre, post] in (1..=MAX_PAIRS).map(number) {
+            let there = |name: &str| {
+                fields.get(name).filter(|value| plain(value.get()).ok().as_deref() != Some(""))
+            };
+            match (there(&pre), there(&post)) {
+                (Some(before), Some(after)) => {
+                    states.push((place(pre, before), place(post, after)));
+                }
+                (None, None) => {}
+                (Some(_), None) => draft.blame(Some(&post), "the state is missing".to_owned()),
+                (None, Some(_)) => draft.blame(Some(&pre), "the state is missing".to_owned()),
+            }
+        }
+        if states.is_empty() {
+            let known = some(fields.keys().map(|name| &**name));
+            let what = format!("the row has no states (found: {known})");
+            draft.blame(None, Wrong::with_mend(what, "give them in \"pairs\""));
+        }
     }
-    flaws.iter_mut().for_each(|flaw| flaw.kept = good);
-    let example = good.then(|| Example {
-        id: read.id.filter(|id| !id.is_empty()).unwrap_or_else(|| format!("line {line}")),
-        line,
-        command,
-        task: read.task.filter(|task| !task.is_empty()),
-        worker: read.worker.filter(|worker| !worker.is_empty()),
-        pairs,
-        rest: Vec::new(),
-    });
-    Row { example, rejected: false, flaws }
+    draft.show(states);
+}
+
+/// A value as text: what is no list and no object; nothing for null.
+fn plain(value: &str) -> Result<String, Wrong> {
+    match value.as_bytes().first() {
+        Some(b'"') => serde_json::from_str(value).map_err(|error| Wrong::from(broken(&error))),
+        Some(b'{' | b'[') => Err(Wrong::with_mend(
+            "this must be a text",
+            "write an object a row, each value a text (pandas: orient=\"records\")",
+        )),
+        _ if value == "null" => Ok(String::new()),
+        _ => Ok(value.to_owned()),
+    }
+}
+
+/// What breaks a text of JSON, and where.
+fn broken(error: &serde_json::Error) -> String {
+    let full = error.to_string();
+    let detail = cut_quoted(full.split(" at line ").next().unwrap_or(&full));
+    match error.line() {
+        0 | 1 => format!("not JSON: {detail}, at character {} of the row", error.column()),
+        line => {
+            format!("not JSON: {detail}, in line {line} of the row, character {}", error.column())
+        }
+    }
 }

@@ -1,16 +1,28 @@
-//! Examples in and out: commands with states before and after, as Mechanical Turk's batch-results CSV and as
-//! JSON lines. A reader gives good rows and what is wrong with the bad ones; neither stops the other.
+//! Examples in and out: commands with states before and after, as Mechanical Turk's batch-results CSV and as JSON. A
+//! file goes from bytes to text (`source`), to records or objects (`record`, `items`), to rows (`mturk`, `jsonl`,
+//! `draft`) and examples (`read`), in steps. A reader gives good rows and what is wrong with the bad ones; neither stops
+//! the other.
 
+pub mod cells;
+pub mod flaw;
 pub mod example;
 pub mod admit;
 pub mod cell;
+pub mod source;
+pub mod header;
+mod draft;
 pub mod record;
+mod items;
 pub mod mturk;
 pub mod jsonl;
 pub mod read;
 pub mod split;
 
 pub use admit::Options;
-pub use example::{Corpus, Example, Flaw, Pair, Row};
-pub use read::{Form, Rows, read};
+pub use cells::Cells;
+pub use example::{Corpus, Example, Pair, Row};
+pub use flaw::{Flaw, Wrong};
+pub use header::{Header, Role};
+pub use read::{Reading, Rows, read};
+pub use source::text_of;
 pub use split::{Fold, folds};

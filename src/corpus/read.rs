@@ -1,96 +1,184 @@
-//! One door for both forms: rows from any byte stream, one by one so that a long reading can be pumped.
+//! One door for every form: what a file is goes by its first sign, and its rows come in steps from any byte stream, so
+//! that a long reading can be pumped, shown and ended.
 
-use super::admit::Options;
-use super::example::{Corpus, Flaw, Row};
+use super::admit::{Options, empty, not_a_corpus};
+use super::draft::{Draft, Found};
+use super::example::{Corpus, MAX_ROWS, Row};
+use super::flaw::{Flaw, Wrong};
+use super::header::Header;
+use super::source::Source;
 use super::{jsonl, mturk};
 use std::io::Read;
 
-/// How a file is written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// Mechanical Turk's batch results.
-    Csv,
-    /// An example a line.
-    JsonLines,
+/// The most flaws of a file that are kept; its rows are counted all the same.
+const MAX_FLAWS: usize = 1_000;
+
+/// What a step of reading comes to.
+#[derive(Debug)]
+pub enum Step {
+    /// There is more to do.
+    Working,
+    /// A row is read.
+    Row(Box<Row>),
+    /// There are no more.
+    Over,
 }
 
-impl Form {
-    /// The form that a file's name speaks of: JSON lines for `.jsonl` and `.ndjson`, otherwise CSV.
-    pub fn of_name(name: &str) -> Form {
-        let name = name.to_ascii_lowercase();
-        if name.ends_with(".jsonl") || name.ends_with(".ndjson") {
-            Form::JsonLines
-        } else {
-            Form::Csv
-        }
-    }
+enum Form<R> {
+    /// Batch results.
+    Table(Box<mturk::Reader<R>>),
+    /// JSON, an example an object.
+    Json(Box<jsonl::Reader<R>>),
 }
 
 /// The rows of a file, one by one.
-pub enum Rows<R> {
-    /// Of batch results.
-    Csv(Box<mturk::Reader<R>>),
-    /// Of JSON lines.
-    JsonLines(jsonl::Reader<R>),
+pub struct Rows<R> {
+    form: Form<R>,
+    draft: Option<Box<Draft>>,
+    rows: usize,
 }
 
 impl<R: Read> Rows<R> {
-    /// A reader at the beginning of `source`.
+    /// A reader at the beginning of `stream`.
     ///
     /// # Errors
     /// Why the file is no corpus at all.
-    pub fn new(form: Form, source: R, options: Options) -> Result<Self, Flaw> {
-        match form {
-            Form::Csv => mturk::Reader::new(source, options).map(Box::new).map(Rows::Csv),
-            Form::JsonLines => jsonl::Reader::new(source).map(Rows::JsonLines),
+    pub fn new(stream: R, options: Options) -> Result<Self, Flaw> {
+        let source = Source::new(stream).map_err(|fault| Flaw::of_file(fault.wrong()))?;
+        if let Some(wrong) = not_a_corpus(&source.buffer) {
+            return Err(Flaw::of_file(wrong));
         }
+        let form = match source.buffer.trim_ascii_start().first() {
+            None if source.ended => return Err(Flaw::of_file(empty())),
+            Some(b'{' | b'[') => Form::Json(Box::new(jsonl::Reader::new(source, options))),
+            _ => Form::Table(Box::new(mturk::Reader::new(source, options))),
+        };
+        Ok(Rows { form, draft: None, rows: 0 })
     }
 
-    /// All columns of a CSV file; none otherwise.
-    pub fn columns(&self) -> &[String] {
-        match self {
-            Rows::Csv(reader) => reader.columns(),
-            Rows::JsonLines(_) => &[],
+    /// What the columns of a table are, once they are read.
+    pub fn header(&self) -> Option<&Header> {
+        match &self.form {
+            Form::Table(reader) => reader.header(),
+            Form::Json(_) => None,
         }
     }
 
     /// Bytes read so far, for progress.
     pub fn bytes(&self) -> u64 {
-        match self {
-            Rows::Csv(reader) => reader.bytes(),
-            Rows::JsonLines(reader) => reader.bytes(),
+        match &self.form {
+            Form::Table(reader) => reader.bytes(),
+            Form::Json(reader) => reader.bytes(),
+        }
+    }
+
+    /// Goes on by a bounded part: some bytes of the file, or a demonstration.
+    ///
+    /// # Errors
+    /// Why the file cannot be read to its end; nothing of it is to be used then.
+    pub fn step(&mut self) -> Result<Step, Flaw> {
+        if let Some(draft) = &mut self.draft {
+            let Some(row) = draft.step() else { return Ok(Step::Working) };
+            self.draft = None;
+            return Ok(Step::Row(Box::new(row)));
+        }
+        let found = match &mut self.form {
+            Form::Table(reader) => reader.step()?,
+            Form::Json(reader) => reader.step()?,
+        };
+        if matches!(found, Found::Row(_) | Found::Draft(_)) {
+            self.rows += 1;
+            if self.rows > MAX_ROWS {
+                return Err(Flaw::of_file(Wrong::with_mend(
+                    format!("the file has more than {MAX_ROWS} rows"),
+                    "split it, and give all parts",
+                )));
+            }
+        }
+        match found {
+            Found::Nothing => Ok(Step::Working),
+            Found::Row(row) => Ok(Step::Row(Box::new(row))),
+            Found::Draft(draft) => {
+                self.draft = Some(draft);
+                Ok(Step::Working)
+            }
+            Found::Over if self.rows == 0 => Err(Flaw::of_file(match self.form {
+                Form::Table(_) => "the file has a header and no rows".to_owned(),
+                Form::Json(_) => "the file has no rows".to_owned(),
+            })),
+            Found::Over => Ok(Step::Over),
         }
     }
 }
 
-impl<R: Read> Iterator for Rows<R> {
-    type Item = Row;
-
-    fn next(&mut self) -> Option<Row> {
-        match self {
-            Rows::Csv(reader) => reader.next(),
-            Rows::JsonLines(reader) => reader.next(),
-        }
-    }
+/// A file on its way to a corpus.
+pub struct Reading<R> {
+    rows: Rows<R>,
+    corpus: Corpus,
+    flaws: Vec<Flaw>,
+    more_flaws: usize,
 }
 
-impl Corpus {
-    /// Takes in what came of one row, and hands back its flaws.
-    pub fn add(&mut self, row: Row) -> Vec<Flaw> {
-        self.examples.extend(row.example);
-        self.rejected += usize::from(row.rejected);
-        row.flaws
+impl<R: Read> Reading<R> {
+    /// The beginning of a file.
+    ///
+    /// # Errors
+    /// Why the file is no corpus at all.
+    pub fn new(stream: R, options: Options) -> Result<Self, Flaw> {
+        let rows = Rows::new(stream, options)?;
+        Ok(Reading { rows, corpus: Corpus::default(), flaws: Vec::new(), more_flaws: 0 })
+    }
+
+    /// Bytes read so far, for progress.
+    pub fn bytes(&self) -> u64 {
+        self.rows.bytes()
+    }
+
+    /// Does a bounded part; whether there is more to do.
+    pub fn step(&mut self) -> bool {
+        match self.rows.step() {
+            Ok(Step::Working) => true,
+            Ok(Step::Row(row)) => {
+                for flaw in self.corpus.add(*row) {
+                    if self.flaws.len() < MAX_FLAWS {
+                        self.flaws.push(flaw);
+                    } else {
+                        self.more_flaws += 1;
+                    }
+                }
+                true
+            }
+            Ok(Step::Over) => {
+                self.corpus.columns =
+                    self.rows.header().map(|header| header.columns.clone()).unwrap_or_default();
+                if self.more_flaws > 0 {
+                    let more = format!("{} more are not listed", self.more_flaws);
+                    self.flaws.push(Flaw { kept: true, ..Flaw::of_file(more) });
+                }
+                false
+            }
+            Err(flaw) => {
+                self.corpus = Corpus::default();
+                self.flaws = vec![flaw];
+                false
+            }
+        }
+    }
+
+    /// What is good of the file, and what is wrong or odd with it. Of a file that cannot be read to its end there is
+    /// nothing but the reason.
+    pub fn end(self) -> (Corpus, Vec<Flaw>) {
+        (self.corpus, self.flaws)
     }
 }
 
 /// Reads a whole file: what is good of it, and what is wrong or odd with it.
-pub fn read(form: Form, source: impl Read, options: Options) -> (Corpus, Vec<Flaw>) {
-    let mut corpus = Corpus::default();
-    let rows = match Rows::new(form, source, options) {
-        Ok(rows) => rows,
-        Err(flaw) => return (corpus, vec![flaw]),
-    };
-    corpus.columns = rows.columns().to_vec();
-    let flaws = rows.flat_map(|row| corpus.add(row)).collect();
-    (corpus, flaws)
+pub fn read(stream: impl Read, options: Options) -> (Corpus, Vec<Flaw>) {
+    match Reading::new(stream, options) {
+        Ok(mut reading) => {
+            while reading.step() {}
+            reading.end()
+        }
+        Err(flaw) => (Corpus::default(), vec![flaw]),
+    }
 }

@@ -1,13 +1,11 @@
-//! Splits CSV (RFC 4180, and what programs make of it) into records, from any byte stream. Unlike a plain CSV
-//! reader it can go back: after a quote that is never closed it resumes at the next line, so that one bad row
+//! Splits CSV (RFC 4180, and what programs make of it) into records, from any byte stream, in steps. Unlike a plain
+//! CSV reader it can go back: after a quote that is never closed it resumes at the next line, so that one bad row
 //! costs one row. Lines count from 1 and are those of an editor, also inside quoted cells.
 
-use super::example::{MAX_CELL_BYTES, MAX_FILE_BYTES};
+use super::cells::Cells;
+use super::example::{MAX_CELL_BYTES, MAX_COLUMNS, MAX_FILE_BYTES};
+use super::source::{Source, Unreadable};
 use std::io::Read;
-
-const CHUNK: usize = 64 << 10;
-/// How often a reader goes back for a quote that is never closed before it gives the file up.
-const MAX_RESUMES: u32 = 100;
 
 /// One record: its cells without their quotes.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -16,43 +14,46 @@ pub struct Record {
     pub line: u64,
     /// The number of lines it covers.
     pub lines: u64,
-    /// The cells' text; bytes that are not UTF-8 are replaced.
-    pub cells: Vec<String>,
-    /// Index of the first cell that is not UTF-8 text.
-    pub not_text: Option<usize>,
-    /// Index of the first cell that was cut because it is larger than [`MAX_CELL_BYTES`].
-    pub cut: Option<usize>,
-    /// Index of the first cell where text follows the closing quote.
+    /// The cells' text, [`MAX_COLUMNS`] of them at most; bytes that are not UTF-8 are read as Latin-1.
+    pub cells: Cells,
+    /// The number of cells that the file has there.
+    pub n_cells: usize,
+    /// Numbers of the cells that are not UTF-8 text, ascending.
+    pub not_text: Vec<usize>,
+    /// Numbers of the cells that are left empty because they are larger than [`MAX_CELL_BYTES`], ascending.
+    pub cut: Vec<usize>,
+    /// Number of the first cell where text follows the closing quote.
     pub stray: Option<usize>,
 }
 
-/// Why there is no record here.
-#[derive(Debug, thiserror::Error)]
-pub enum Fault {
-    /// The stream failed; reading ends.
-    #[error("the file could not be read: {0}")]
-    Io(#[from] std::io::Error),
-    /// Reading ends.
-    #[error("the file is larger than {} MB; what comes after was not read", MAX_FILE_BYTES >> 20)]
-    TooLarge,
-    /// Reading goes on at the next line.
-    #[error(
-        "a quote opened in this row is never closed; close it, or double it if it belongs to the text"
-    )]
-    Unclosed {
-        /// The line where the record begins.
-        line: u64,
-    },
-    /// Reading ends.
-    #[error("too many quotes are never closed; the rest of the file was not read")]
-    Hopeless,
+/// What parts cells, the usual one first.
+const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
+
+/// What a step comes to.
+#[derive(Debug)]
+pub enum Step {
+    /// There is more to do.
+    Working,
+    /// A record that is not an empty line.
+    Record(Record),
+    /// A quote opened in the record that begins at this line is never closed; reading goes on at the next one.
+    Unclosed(u64),
+    /// The file has no more records.
+    Over,
 }
 
-impl Fault {
-    /// Whether nothing can be read after this.
-    pub fn is_final(&self) -> bool {
-        !matches!(self, Fault::Unclosed { .. })
-    }
+/// Why reading ends before the file does; none of it is used then.
+#[derive(Debug, thiserror::Error)]
+pub enum Fault {
+    /// See there.
+    #[error(transparent)]
+    Unreadable(#[from] Unreadable),
+    /// The first record is wider than any table.
+    #[error("the first line has more than {MAX_COLUMNS} cells")]
+    Wide,
+    /// It went back too often.
+    #[error("too many quotes are never closed")]
+    Hopeless,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -65,187 +66,206 @@ enum At {
 
 /// A reader of records.
 pub struct Records<R> {
-    source: R,
-    /// Bytes from the beginning of the current record on.
-    buffer: Vec<u8>,
-    /// Where in `buffer` the current record begins, and the next byte to look at.
+    source: Source<R>,
+    separator: u8,
+    /// Where in the buffer the current record begins, and the next byte to look at.
     start: usize,
     next: usize,
     line: u64,
     start_line: u64,
-    read: u64,
-    ended: bool,
-    resumes: u32,
+    is_first: bool,
+    /// Whether the next byte begins a record.
+    is_fresh: bool,
+    /// The record at work, its last cell, and where in it the reader is.
+    record: Record,
+    cell: Vec<u8>,
+    at: At,
+    /// Bytes that were gone back over.
+    again: u64,
 }
 
 impl<R: Read> Records<R> {
-    /// A reader at the beginning of `source`; a byte-order mark is skipped.
-    pub fn new(source: R) -> Result<Self, Fault> {
-        let mut records = Records {
+    /// A reader at the beginning of a file. What parts the cells is found out: what a first line `sep=…` says, or that
+    /// of comma, semicolon and tab which stands most often in the first line.
+    pub(super) fn new(source: Source<R>) -> Self {
+        let (separator, skip) = separator(&source.buffer);
+        Records {
             source,
-            buffer: Vec::new(),
-            start: 0,
-            next: 0,
-            line: 1,
+            separator,
+            start: skip,
+            next: skip,
+            line: 1 + u64::from(skip > 0),
             start_line: 1,
-            read: 0,
-            ended: false,
-            resumes: 0,
-        };
-        while !records.ended && records.buffer.len() < 512 {
-            records.fill()?;
+            is_first: true,
+            is_fresh: true,
+            record: Record::default(),
+            cell: Vec::new(),
+            at: At::Start,
+            again: 0,
         }
-        if records.buffer.starts_with(b"\xEF\xBB\xBF") {
-            records.next = 3;
-        }
-        Ok(records)
     }
 
-    /// The bytes that are buffered: right after [`Records::new`], the beginning of the file.
-    pub fn head(&self) -> &[u8] {
-        self.buffer.get(self.next..).unwrap_or_default()
-    }
-
-    /// Bytes taken from the source so far, for progress.
+    /// Bytes taken from the stream so far, for progress.
     pub fn bytes(&self) -> u64 {
-        self.read
+        self.source.bytes
     }
 
-    /// The next record that is not an empty line; `None` at the end.
-    pub fn next_record(&mut self) -> Option<Result<Record, Fault>> {
+    /// Goes on by a bounded part: to the end of the record, or of what is in the buffer.
+    ///
+    /// # Errors
+    /// Why the file cannot be read to its end.
+    pub fn step(&mut self) -> Result<Step, Fault> {
         loop {
-            self.start = self.next;
-            self.start_line = self.line;
-            match self.scan() {
-                Ok(None) => return None,
-                Ok(Some(record))
-                    if record.cells.iter().all(String::is_empty) && record.cells.len() < 2 => {}
-                Ok(Some(record)) => return Some(Ok(record)),
-                Err(fault) => {
-                    if fault.is_final() {
-                        self.give_up();
+            if std::mem::take(&mut self.is_fresh) {
+                // Empty lines are no records.
+                while self.source.buffer.get(self.next) == Some(&b'\n') {
+                    self.next += 1;
+                    self.line += 1;
+                }
+                self.start = self.next;
+                (self.start_line, self.at) = (self.line, At::Start);
+                self.record = Record { line: self.line, ..Record::default() };
+                self.cell.clear();
+            }
+            let Some(&byte) = self.source.buffer.get(self.next) else {
+                if !self.source.ended {
+                    self.source.fill(self.start)?;
+                    self.next -= std::mem::take(&mut self.start);
+                    return Ok(Step::Working);
+                }
+                return match (self.next > self.start, self.at) {
+                    (false, _) => Ok(Step::Over),
+                    (true, At::Quoted) => self.unclosed(),
+                    (true, _) => Ok(self.end_record()),
+                };
+            };
+            // Whether a line break is of two characters shows only when the second one is there.
+            if byte == b'\r'
+                && self.at != At::Quoted
+                && self.next + 1 == self.source.buffer.len()
+                && !self.source.ended
+            {
+                self.source.fill(self.start)?;
+                self.next -= std::mem::take(&mut self.start);
+                continue;
+            }
+            self.next += 1;
+            match (self.at, byte) {
+                (At::Quoted, b'"') => self.at = At::QuoteSeen,
+                (At::Start, b'"') => self.at = At::Quoted,
+                (At::QuoteSeen, b'"') => {
+                    self.push(byte);
+                    self.at = At::Quoted;
+                }
+                (At::Quoted, _) => {
+                    self.line += u64::from(byte == b'\n');
+                    self.push(byte);
+                    if self.cell.len() > MAX_CELL_BYTES && self.line > self.start_line {
+                        return self.unclosed();
                     }
-                    return Some(Err(fault));
+                }
+                (_, byte) if byte == self.separator => {
+                    self.close();
+                    self.at = At::Start;
+                    if self.is_first && self.record.n_cells == MAX_COLUMNS {
+                        return Err(Fault::Wide);
+                    }
+                }
+                (_, b'\n' | b'\r') => {
+                    let pair = byte == b'\r' && self.source.buffer.get(self.next) == Some(&b'\n');
+                    self.next += usize::from(pair);
+                    self.line += 1;
+                    match self.end_record() {
+                        // An empty line.
+                        Step::Record(Record { n_cells: 1, cells, .. })
+                            if cells.get(0) == Some("") => {}
+                        record => return Ok(record),
+                    }
+                }
+                (_, _) => {
+                    if self.at == At::QuoteSeen {
+                        self.record.stray.get_or_insert(self.record.n_cells);
+                    }
+                    self.push(byte);
+                    self.at = At::Bare;
                 }
             }
         }
     }
 
     /// Goes back to the line after the first one of the record read last, which swallowed others.
-    pub fn resume_at_second_line(&mut self) {
-        let record = self.buffer.get(self.start..self.next).unwrap_or_default();
-        if let Some(at) = record.iter().position(|&byte| byte == b'\n') {
-            self.next = self.start + at + 1;
-            self.line = self.start_line + 1;
+    ///
+    /// # Errors
+    /// When it went back too often.
+    pub fn resume_at_second_line(&mut self) -> Result<(), Fault> {
+        let record = self.source.buffer.get(self.start..self.next).unwrap_or_default();
+        self.again += record.len() as u64;
+        let first = record.iter().position(|&byte| byte == b'\n');
+        self.next = first.map_or(self.next, |at| self.start + at + 1);
+        self.line = self.start_line + u64::from(first.is_some());
+        self.is_fresh = true;
+        if self.again > MAX_FILE_BYTES { Err(Fault::Hopeless) } else { Ok(()) }
+    }
+
+    fn unclosed(&mut self) -> Result<Step, Fault> {
+        let line = self.start_line;
+        self.resume_at_second_line()?;
+        Ok(Step::Unclosed(line))
+    }
+
+    fn end_record(&mut self) -> Step {
+        self.close();
+        self.is_first = false;
+        self.is_fresh = true;
+        let mut record = std::mem::take(&mut self.record);
+        record.lines = (self.line - record.line).max(1);
+        Step::Record(record)
+    }
+
+    fn push(&mut self, byte: u8) {
+        // One byte more than is kept tells that there was more.
+        if self.cell.len() <= MAX_CELL_BYTES {
+            self.cell.push(byte);
         }
     }
 
-    fn give_up(&mut self) {
-        self.ended = true;
-        self.buffer.clear();
-        self.start = 0;
-        self.next = 0;
-    }
-
-    fn scan(&mut self) -> Result<Option<Record>, Fault> {
-        let mut record = Record { line: self.line, ..Record::default() };
-        let mut cell = Vec::new();
-        let mut at = At::Start;
-        let mut any = false;
-        loop {
-            let Some(byte) = self.byte()? else {
-                if !any {
-                    return Ok(None);
-                }
-                if at == At::Quoted {
-                    self.resumes += 1;
-                    if self.resumes > MAX_RESUMES {
-                        return Err(Fault::Hopeless);
-                    }
-                    let line = self.start_line;
-                    self.resume_at_second_line();
-                    return Err(Fault::Unclosed { line });
-                }
-                record.close(&mut cell);
-                break;
-            };
-            any = true;
-            match (at, byte) {
-                (At::Quoted, b'"') => at = At::QuoteSeen,
-                (At::Start, b'"') => at = At::Quoted,
-                (At::QuoteSeen, b'"') => {
-                    record.push(&mut cell, byte);
-                    at = At::Quoted;
-                }
-                (At::Quoted, _) => {
-                    self.line += u64::from(byte == b'\n');
-                    record.push(&mut cell, byte);
-                }
-                (_, b',') => {
-                    record.close(&mut cell);
-                    at = At::Start;
-                }
-                (_, b'\n' | b'\r') => {
-                    if byte == b'\r' && self.peek()? == Some(b'\n') {
-                        self.next += 1;
-                    }
-                    record.close(&mut cell);
-                    self.line += 1;
-                    break;
-                }
-                (_, _) => {
-                    if at == At::QuoteSeen {
-                        record.stray.get_or_insert(record.cells.len());
-                    }
-                    record.push(&mut cell, byte);
-                    at = At::Bare;
-                }
+    fn close(&mut self) {
+        let Record { cells, n_cells, not_text, cut, .. } = &mut self.record;
+        if cells.len() < MAX_COLUMNS {
+            if self.cell.len() > MAX_CELL_BYTES {
+                cut.push(*n_cells);
+            } else if let Ok(text) = std::str::from_utf8(&self.cell) {
+                cells.push(text);
+            } else {
+                not_text.push(*n_cells);
+                cells.push(&self.cell.iter().map(|&byte| char::from(byte)).collect::<String>());
+            }
+            if cells.len() <= *n_cells {
+                cells.push("");
             }
         }
-        record.lines = (self.line - record.line).max(1);
-        Ok(Some(record))
-    }
-
-    fn byte(&mut self) -> Result<Option<u8>, Fault> {
-        let byte = self.peek()?;
-        self.next += usize::from(byte.is_some());
-        Ok(byte)
-    }
-
-    fn peek(&mut self) -> Result<Option<u8>, Fault> {
-        while self.next >= self.buffer.len() && !self.ended {
-            self.fill()?;
-        }
-        Ok(self.buffer.get(self.next).copied())
-    }
-
-    fn fill(&mut self) -> Result<(), Fault> {
-        self.buffer.drain(..self.start);
-        self.next -= self.start;
-        self.start = 0;
-        let before = self.buffer.len();
-        self.source.by_ref().take(CHUNK as u64).read_to_end(&mut self.buffer)?;
-        let got = self.buffer.len() - before;
-        self.read += got as u64;
-        self.ended = got == 0;
-        if self.read > MAX_FILE_BYTES { Err(Fault::TooLarge) } else { Ok(()) }
+        *n_cells += 1;
+        self.cell.clear();
     }
 }
 
-impl Record {
-    fn push(&mut self, cell: &mut Vec<u8>, byte: u8) {
-        if cell.len() < MAX_CELL_BYTES {
-            cell.push(byte);
-        } else if self.cut.is_none() {
-            self.cut = Some(self.cells.len());
+/// What parts the cells of a file that begins so, and how many bytes of it say that and are no record.
+fn separator(head: &[u8]) -> (u8, usize) {
+    let line = head.split(|&byte| byte == b'\n').next().unwrap_or_default();
+    let said = line.trim_ascii_end();
+    let said = said.strip_prefix(b"\"").and_then(|said| said.strip_suffix(b"\"")).unwrap_or(said);
+    if let [b's', b'e', b'p', b'=', separator] = *said {
+        return (separator, (line.len() + 1).min(head.len()));
+    }
+    let mut counts = [0usize; SEPARATORS.len()];
+    let mut is_quoted = false;
+    for byte in head.iter().take_while(|&&byte| byte != b'\n' && byte != b'\r') {
+        is_quoted ^= *byte == b'"';
+        if let Some(at) = SEPARATORS.iter().position(|other| other == byte && !is_quoted) {
+            counts[at] += 1;
         }
     }
-
-    fn close(&mut self, cell: &mut Vec<u8>) {
-        let text = String::from_utf8(std::mem::take(cell)).unwrap_or_else(|error| {
-            self.not_text.get_or_insert(self.cells.len());
-            String::from_utf8_lossy(error.as_bytes()).into_owned()
-        });
-        self.cells.push(text);
-    }
+    // The first of those that stand equally often, as a comma does where none stands.
+    let most = (0..counts.len()).rev().max_by_key(|&at| counts[at]).unwrap_or(0);
+    (SEPARATORS[most], 0)
 }

@@ -115,6 +115,7 @@ named!(Lock, "lock", Unlocked "unlocked" '+', Locked "locked" 'x', Unknown "unkn
 
 /// The robot: its cell and where it looks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(expecting = "a robot: {x, y, direction}")]
 pub struct Agent {
     /// Column of the robot's cell.
     pub x: i32,
@@ -212,6 +213,7 @@ pub struct Door {
 
 /// A movable thing.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Deserialize)]
+#[serde(expecting = "an object: {name, shape, color, x, y}")]
 pub struct Object {
     /// Unique among objects; identifies it between two states.
     pub name: String,
@@ -259,7 +261,7 @@ impl Object {
 
 /// A room as JSON has it: flat, so that an error can name the very field.
 #[derive(Serialize, Deserialize)]
-#[serde(rename = "Room")]
+#[serde(rename = "Room", expecting = "a room: {name, color, left, bottom, right, top}")]
 struct RoomJson {
     name: String,
     color: Color,
@@ -284,7 +286,7 @@ impl From<Room> for RoomJson {
 
 /// A door as JSON has it.
 #[derive(Serialize, Deserialize)]
-#[serde(rename = "Door")]
+#[serde(rename = "Door", expecting = "a door: {name, left, bottom, right, top, lock}")]
 struct DoorJson {
     name: String,
     left: i32,

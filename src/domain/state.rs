@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 /// Where everything is. JSON form: as in Mechanical Turk's `Input.pre_1` cells.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(expecting = "a state: {agent, rooms, doors, objects}")]
 #[expect(missing_docs, reason = "the four kinds of thing")]
 pub struct State {
     pub agent: Agent,

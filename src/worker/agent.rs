@@ -124,7 +124,11 @@ impl<R: Role + 'static> Agent<R> {
 const fn is_progress(event: &Event) -> bool {
     matches!(
         event,
-        Event::Progress(_) | Event::Experimenting(_) | Event::Planning(_) | Event::RollingOut(_)
+        Event::Reading { .. }
+            | Event::Progress(_)
+            | Event::Experimenting(_)
+            | Event::Planning(_)
+            | Event::RollingOut(_)
     )
 }
 

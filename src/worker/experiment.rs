@@ -3,13 +3,13 @@
 
 use super::ask::{Asked, Asking};
 use super::job::Step;
-use super::progress::{CorpusReading, progress};
+use super::progress::{CorpusReading, Read, progress};
 use super::protocol::{
-    Confused, CorpusText, Event, Experiment, ExperimentProgress, ExperimentReport, Figures,
-    Judgement, Problem, RunPart, RunReport, TaskFigures, WorldRules,
+    Confused, Event, Experiment, ExperimentProgress, ExperimentReport, Figures, Judgement, Problem,
+    RunPart, RunReport, TaskFigures, WorldRules,
 };
 use crate::ccg::Model;
-use crate::corpus::{Corpus, Example};
+use crate::corpus::{Corpus, Example, Options};
 use crate::learn::experiment::{
     self as learning, Outcome, Run, Selection, cross, table_2, table_3,
 };
@@ -68,7 +68,10 @@ impl Experimenting {
         let train = Arc::from(corpus);
         let all = Selection::all(&train);
         let stage = match &experiment {
-            Experiment::Table2 { test, .. } | Experiment::Table3 { test, .. } => read(test)?,
+            Experiment::Table2 { test, .. } | Experiment::Table3 { test, .. } => {
+                let files = vec![test.clone()];
+                Stage::Read(Box::new(CorpusReading::new(files, Options::default())))
+            }
             Experiment::Demonstration { .. } => {
                 let name = "demonstration".to_owned();
                 let config = config.clone();
@@ -111,12 +114,12 @@ impl Experimenting {
     }
 
     fn read_on(&mut self, mut reading: Box<CorpusReading>) -> Option<Event> {
-        let Some((test, problems)) = reading.step() else {
+        let Some(Read { corpus, problems }) = reading.step() else {
             self.stage = Stage::Read(reading);
             return None;
         };
         self.problems = problems;
-        self.begin(test)
+        self.begin(corpus)
     }
 
     /// The test file is read: the runs begin, if it has anything to be judged on.
@@ -191,12 +194,6 @@ impl Stage {
         let experiment = learning::Experiment::new(seed.clone(), runs.clone());
         Stage::Run(Box::new(Runs { experiment, runs, reports: Vec::new(), all: Report::default() }))
     }
-}
-
-fn read(CorpusText { name, text }: &CorpusText) -> Result<Stage, String> {
-    let reading = CorpusReading::new(name, text.clone())
-        .map_err(|flaw| format!("The test file cannot be read: {flaw}."))?;
-    Ok(Stage::Read(Box::new(reading)))
 }
 
 fn run_report(run: &Run, outcome: &Outcome) -> RunReport {

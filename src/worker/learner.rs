@@ -3,14 +3,14 @@
 
 use super::experiment::Experimenting;
 use super::job::{Job, Role, Step, misdirected, say};
-use super::progress::{CorpusReading, problem, progress};
+use super::progress::{CorpusReading, Read, progress};
 use super::protocol::{
-    CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Problem, Program, Request, RowSummary,
+    CorpusFile, CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Program, Request, RowSummary,
     SeedLexicon, TeachReport, TrainSettings,
 };
 use super::talker::report;
 use crate::ccg::{EntryText, Model};
-use crate::corpus::{Corpus, Example, Pair};
+use crate::corpus::{Cells, Corpus, Example, Options, Pair};
 use crate::learn::{
     CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Taught, Teaching, Trainer, seed_model,
 };
@@ -26,7 +26,9 @@ impl Role for Learner {
 
     fn begin(&mut self, request: Request) -> Result<Job<Learner>, String> {
         match request {
-            Request::ReadCorpus { name, text } => read_corpus(name, text),
+            Request::ReadCorpus { files, with_rejected } => {
+                Ok(read_corpus(files, Options { with_rejected }))
+            }
             Request::ShowRow { row } => self.show_row(row),
             Request::Train { lexicon, settings } => self.train(lexicon, &settings),
             Request::Teach { model, examples } => teach(&model, examples),
@@ -41,14 +43,15 @@ impl Role for Learner {
 }
 
 impl Learner {
-    fn keep(&mut self, name: String, corpus: Corpus, problems: Vec<Problem>) -> Event {
+    fn keep(&mut self, name: String, Read { corpus, problems }: Read) -> Event {
         let rows = corpus.examples.iter().map(|example| RowSummary {
             command: example.command.clone(),
             task: example.task.clone(),
             pairs: example.pairs.len(),
         });
-        let report =
-            CorpusReport { name, rows: rows.collect(), rejected: corpus.rejected, problems };
+        let rows = rows.collect();
+        let Corpus { rejected, left_out, .. } = corpus;
+        let report = CorpusReport { name, rows, rejected, left_out, problems };
         if !corpus.examples.is_empty() {
             self.corpus = corpus;
         }
@@ -121,18 +124,19 @@ impl Learner {
     }
 }
 
-fn read_corpus(name: String, text: String) -> Result<Job<Learner>, String> {
-    let mut reading = match CorpusReading::new(&name, text) {
-        Ok(reading) => reading,
-        Err(flaw) => {
-            let (rows, problems) = (Vec::new(), vec![problem(flaw)]);
-            return say(Event::Corpus(CorpusReport { name, rows, rejected: 0, problems }));
+fn read_corpus(files: Vec<CorpusFile>, options: Options) -> Job<Learner> {
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let name = names.join(", ");
+    let mut reading = CorpusReading::new(files, options);
+    let mut told = 0;
+    Box::new(move |learner| match reading.step() {
+        Some(read) => Step::Over(learner.keep(name.clone(), read)),
+        None => {
+            let (done, of) = reading.progress();
+            let is_news = std::mem::replace(&mut told, done) < done && done < of;
+            Step::Working(is_news.then_some(Event::Reading { done, of }))
         }
-    };
-    Ok(Box::new(move |learner| match reading.step() {
-        Some((corpus, problems)) => Step::Over(learner.keep(name.clone(), corpus, problems)),
-        None => Step::Working(None),
-    }))
+    })
 }
 
 fn teach(model: &str, lessons: Vec<Lesson>) -> Result<Job<Learner>, String> {
@@ -173,6 +177,6 @@ fn example(lesson: Lesson) -> Example {
         task: None,
         worker: None,
         pairs: pairs.collect(),
-        rest: Vec::new(),
+        rest: Cells::default(),
     }
 }

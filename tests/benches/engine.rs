@@ -23,7 +23,9 @@ use groundling::mdp::{Settings, Solver};
 use groundling::plan::AStar;
 use groundling::render::{Arrow, Options, Scene};
 use groundling::worker::job::Role;
-use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
+use groundling::worker::protocol::{
+    CorpusFile, Event, Request, SeedLexicon, TrainSettings, WorldRules,
+};
 use groundling::worker::{Engine, Learner, Talker};
 use std::hint::black_box;
 
@@ -122,7 +124,8 @@ fn watched() -> Options {
 fn learner() -> Engine<Learner> {
     let mut engine = Engine::new();
     let name = "six.csv".to_owned();
-    pump(&mut engine, Request::ReadCorpus { name, text: SIX.to_owned() });
+    let files = vec![CorpusFile { name, bytes: SIX.into() }];
+    pump(&mut engine, Request::ReadCorpus { files, with_rejected: false });
     engine
 }
 

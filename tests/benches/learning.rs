@@ -3,7 +3,7 @@
 
 use crate::cpu::{Row, seconds};
 use groundling::ccg::{ChartConfig, Model, parse};
-use groundling::corpus::{Example, Form, Options, read};
+use groundling::corpus::{Example, Options, read};
 use groundling::learn::{CLEANUP_LEXICON, Config, Trainer, seed_model};
 use std::fs;
 use std::hint::black_box;
@@ -32,7 +32,7 @@ pub(crate) fn rows() -> Vec<Row> {
     )];
     let own = std::env::var("CORPUS").ok();
     let corpus = match &own {
-        Some(path) => examples(&fs::read_to_string(path).unwrap(), Form::of_name(path)),
+        Some(path) => examples(&fs::read_to_string(path).unwrap()),
         None => crowd.clone(),
     };
     let mut model = None;
@@ -64,11 +64,11 @@ pub(crate) fn rows() -> Vec<Row> {
 
 /// Rows of the crowd.
 pub(crate) fn crowd() -> Vec<Example> {
-    CROWD.iter().flat_map(|text| examples(text, Form::Csv)).collect()
+    CROWD.iter().flat_map(|text| examples(text)).collect()
 }
 
-fn examples(text: &str, form: Form) -> Vec<Example> {
-    read(form, text.as_bytes(), Options::default()).0.examples
+fn examples(text: &str) -> Vec<Example> {
+    read(text.as_bytes(), Options::default()).0.examples
 }
 
 /// The model of a run.

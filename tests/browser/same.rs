@@ -10,7 +10,9 @@ use groundling::logic::{Terms, print, read};
 use groundling::mdp::{Mdp, RolloutSettings, Rollouts, Settings, Solver, StartingAt, simulate};
 use groundling::plan::{AnySolver, Auto, SOLVERS};
 use groundling::worker::job::Role;
-use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings, WorldRules};
+use groundling::worker::protocol::{
+    CorpusFile, Event, Request, SeedLexicon, TrainSettings, WorldRules,
+};
 use groundling::worker::{Engine, Learner, Talker};
 use std::fmt::Write;
 
@@ -125,7 +127,8 @@ fn planned(out: &mut String) {
 fn learned(out: &mut String) {
     let (mut learner, mut talker) = (Engine::<Learner>::new(), Engine::<Talker>::new());
     let name = "six.csv".to_owned();
-    last(&mut learner, Request::ReadCorpus { name, text: CORPUS.to_owned() });
+    let files = vec![CorpusFile { name, bytes: CORPUS.into() }];
+    last(&mut learner, Request::ReadCorpus { files, with_rejected: false });
     let settings =
         TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
     match last(&mut learner, Request::Train { lexicon: SeedLexicon::Demonstration, settings }) {

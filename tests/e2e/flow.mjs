@@ -79,15 +79,30 @@ export class Flow {
     return this.problems.filter((problem) => !this.expected.some((pattern) => pattern.test(problem)));
   }
 
-  /** Fails the flow unless `truth`. */
-  check(truth, what) {
-    if (!truth) throw new Error(what);
+  /**
+   * Fails the flow unless `truth`: a value, or a function that looks. What a function finds is waited for, as a page
+   * need not have redrawn yet; `what` may be one, too.
+   */
+  async check(truth, what) {
+    const holds = await this.waited(truth, (found) => found);
+    if (!holds.fits) throw new Error(typeof what === 'function' ? await what() : what);
   }
 
-  /** Fails the flow unless both print alike. */
-  equal(actual, wanted, what) {
-    const [a, b] = [actual, wanted].map((value) => JSON.stringify(value));
-    if (a !== b) throw new Error(`${what}: ${a}, wanted ${b}`);
+  /** Fails the flow unless both print alike; `actual` is a value, or a function that looks, which is waited for. */
+  async equal(actual, wanted, what) {
+    const print = (value) => JSON.stringify(value);
+    const { fits, found } = await this.waited(actual, (value) => print(value) === print(wanted));
+    if (!fits) throw new Error(`${what}: ${print(found)}, wanted ${print(wanted)}`);
+  }
+
+  /** Looks until what is found `fits`, or the time is up; a plain value cannot change. */
+  async waited(look, fits, seconds = 10) {
+    const end = Date.now() + seconds * 1000;
+    for (;;) {
+      const found = typeof look === 'function' ? await look() : look;
+      if (fits(found) || typeof look !== 'function' || Date.now() > end) return { fits: fits(found), found };
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
   }
 
   /** Waits until `probe` returns something true and returns that; fails after `seconds`. */
@@ -109,27 +124,29 @@ export class Flow {
 
   /** Holds an element's picture against its golden. */
   async golden(name, locator, tolerance) {
-    const wrong = await matchGolden(name, await locator.screenshot({ animations: 'disabled' }), tolerance);
-    this.check(!wrong, `picture ${name}: ${wrong}`);
+    const look = async () => matchGolden(name, await locator.screenshot({ animations: 'disabled' }), tolerance);
+    const { fits, found } = await this.waited(look, (wrong) => !wrong);
+    if (!fits) throw new Error(`picture ${name}: ${found}`);
   }
 
   /** Fails on any violation that axe finds in the view as it stands. */
   async accessible(view) {
     await this.page.evaluate(await readFile(axeFile, 'utf8'));
-    const violations = await this.page.evaluate(async () => {
+    const look = () => this.page.evaluate(async () => {
       const { violations } = await globalThis.axe.run(document, { resultTypes: ['violations'] });
       return violations.map(({ id, help, nodes }) => `${id}: ${help}: ${nodes.map((n) => n.html).join(' | ')}`);
     });
-    this.equal(violations, [], `axe on ${view}`);
+    await this.equal(look, [], `axe on ${view}`);
   }
 
   /** Fails when the page is wider than its window. */
   async fits(view) {
-    const [inner, wide] = await this.page.evaluate(() => [
+    const look = () => this.page.evaluate(() => [
       document.documentElement.clientWidth,
       document.documentElement.scrollWidth,
     ]);
-    this.check(wide <= inner, `${view} is ${wide} pixels wide in a window of ${inner}`);
+    const { fits, found: [inner, wide] } = await this.waited(look, ([window, page]) => page <= window);
+    if (!fits) throw new Error(`${view} is ${wide} pixels wide in a window of ${inner}`);
   }
 
   /** Runs the native command line; returns what it wrote and its exit status. */

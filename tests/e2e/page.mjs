@@ -44,9 +44,17 @@ export class Demo {
     return this.page.getByTestId(id);
   }
 
-  /** Presses what has this test id. */
-  press(id) {
-    return this.by(id).click();
+  /** Presses what has this test id, and waits until the page has redrawn. */
+  async press(id) {
+    await this.by(id).click();
+    await this.redrawn();
+  }
+
+  /** Waits until the page has redrawn what has happened; a page that goes away has nothing to draw. */
+  async redrawn() {
+    await this.page.evaluate(() => new Promise((done) => {
+      requestAnimationFrame(() => requestAnimationFrame(done));
+    })).catch(() => {});
   }
 
   /** Waits until a command can be sent. */
@@ -177,6 +185,7 @@ export class Demo {
     await this.by('stage').scrollIntoViewIfNeeded();
     const { x, y } = await this.spot(cell);
     await this.page.mouse.click(x, y);
+    await this.redrawn();
   }
 
   /** Drags with the mouse from one cell of the room to another. */
@@ -187,12 +196,14 @@ export class Demo {
     await this.page.mouse.down();
     await this.page.mouse.move(b.x, b.y, { steps: 4 });
     await this.page.mouse.up();
+    await this.redrawn();
   }
 
   /** Presses keys in the room, one after another. */
   async keys(...all) {
     await this.by('room').focus();
     for (const key of all) await this.page.keyboard.press(key);
+    await this.redrawn();
   }
 
   /** Presses Tab until what has this test id has the focus. */
@@ -237,22 +248,25 @@ export class Demo {
     return readFile(await download.path(), 'utf8');
   }
 
-  /** Chooses a corpus file with this text. */
+  /** Chooses a corpus file of this text or these bytes. */
   async choose(name, content) {
-    await this.by('corpus-file').setInputFiles({
-      name,
-      mimeType: 'text/csv',
-      buffer: Buffer.from(content),
-    });
+    await this.by('corpus-file').setInputFiles({ name, mimeType: 'text/csv', buffer: Buffer.from(content) });
   }
 
   /** Drops a file anywhere on the page. */
-  async drop(name, text) {
-    const transfer = await this.page.evaluateHandle(([fileName, content]) => {
+  drop(name, text) {
+    return this.dropAll([[name, text]]);
+  }
+
+  /** Drops files anywhere on the page, each a name and a text, and perhaps what follows it so many times. */
+  async dropAll(files) {
+    const transfer = await this.page.evaluateHandle((all) => {
       const data = new DataTransfer();
-      data.items.add(new File([content], fileName, { type: 'text/csv' }));
+      for (const [name, text, more = '', times = 0] of all) {
+        data.items.add(new File([text, ...Array(times).fill(more)], name, { type: 'text/csv' }));
+      }
       return data;
-    }, [name, text]);
+    }, files);
     await this.page.locator('main').dispatchEvent('drop', { dataTransfer: transfer });
   }
 

@@ -1,10 +1,10 @@
 // Messages to and from an engine, as far as the flows that measure need them: postcard's form (`protocol/wire.rs`), fields
 // in order without names. A test that reads wrong bytes fails loudly, so nothing here is checked.
 
-const VERSION = 6;
+const VERSION = 7;
 /** Places of the kinds in `Request` and `Event`. */
 const REQUESTS = { plan: 8, values: 9, roll_out: 10 };
-const EVENTS = { 11: 'planning', 12: 'planned', 13: 'values', 14: 'rolling_out', 15: 'rolled_out' };
+const EVENTS = { 12: 'planning', 13: 'planned', 14: 'values', 15: 'rolling_out', 16: 'rolled_out' };
 
 /** A whole number, seven bits a byte, the lowest first. */
 function whole(n) {

@@ -3,7 +3,7 @@
 //! could say (the biggest room, the object, the thing on the left …) one of them disproves.
 //! `GROUNDLING_BLESS=1` writes the file anew.
 
-use groundling::corpus::{Corpus, Example, Form, Options, Pair, mturk, read};
+use groundling::corpus::{Cells, Corpus, Example, Options, Pair, mturk, read};
 use groundling::domain::{Color, Direction, Layout, Object, Plan, Shape, State, generate};
 use groundling::ground::{Class, PREDICATES, PairId, Relation, Thing, Validator};
 use groundling::logic::{TermId, Terms};
@@ -198,7 +198,7 @@ fn make() -> Corpus {
             task: Some(task.to_owned()),
             worker: None,
             pairs,
-            rest: Vec::new(),
+            rest: Cells::default(),
         });
     }
     Corpus { examples, ..Corpus::default() }
@@ -217,7 +217,7 @@ fn the_file_is_what_its_seeds_make() {
 
 #[test]
 fn each_row_means_what_it_says_and_nothing_else() {
-    let (corpus, flaws) = read(Form::Csv, std::fs::File::open(PATH).unwrap(), Options::default());
+    let (corpus, flaws) = read(std::fs::File::open(PATH).unwrap(), Options::default());
     assert_eq!(flaws, []);
     assert_eq!(corpus.examples.len(), 6);
     let mut terms = Terms::new();

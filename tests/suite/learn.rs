@@ -13,7 +13,7 @@ mod novelty;
 mod resume;
 
 use groundling::ccg::{ChartConfig, Model, parse};
-use groundling::corpus::{Corpus, Example, Form, Options, Pair, read};
+use groundling::corpus::{Cells, Corpus, Example, Options, Pair, read};
 use groundling::learn::{
     Config, DEMONSTRATION_LEXICON, Evaluation, Progress, Score, Trainer, seed_model,
 };
@@ -23,7 +23,7 @@ use groundling::logic::print_human;
 pub(crate) const SIX: &str = include_str!("../../assets/corpus/six.csv");
 
 pub(crate) fn six() -> Vec<Example> {
-    let (Corpus { examples, .. }, flaws) = read(Form::Csv, SIX.as_bytes(), Options::default());
+    let (Corpus { examples, .. }, flaws) = read(SIX.as_bytes(), Options::default());
     assert!(flaws.is_empty(), "{flaws:?}");
     examples
 }
@@ -96,7 +96,7 @@ fn another_order_of_examples_learns_as_well() {
 
 /// An example with the demonstrations of one of the six.
 fn example(command: &str, pairs: Vec<Pair>) -> Example {
-    let (task, worker, rest) = (None, None, Vec::new());
+    let (task, worker, rest) = (None, None, Cells::default());
     Example {
         id: command.to_owned(),
         line: 0,

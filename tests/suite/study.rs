@@ -2,7 +2,7 @@
 
 use crate::command::{answers, call};
 use crate::dynamics::chances::Draws;
-use groundling::corpus::{Form, Options, Pair, read};
+use groundling::corpus::{Options, Pair, read};
 use groundling::domain::{Blueprint, Bounds, Color, Lock, Size, State, Style};
 use groundling::ground::Goal;
 use groundling::logic::{TermId, Terms, read as form};
@@ -236,11 +236,11 @@ fn the_command_writes_a_corpus() {
     let csv = generate(&[]);
     assert!(csv.status.success(), "{csv:?}");
     assert_eq!(csv.stdout, generate(&[]).stdout);
-    let (corpus, flaws) = read(Form::of_name("pairs.csv"), &csv.stdout[..], Options::default());
+    let (corpus, flaws) = read(&csv.stdout[..], Options::default());
     assert!(flaws.is_empty(), "{flaws:?}");
     assert_eq!(corpus.examples.len(), 23);
     let lines = generate(&["--json"]);
-    let (same, flaws) = read(Form::of_name("pairs.jsonl"), &lines.stdout[..], Options::default());
+    let (same, flaws) = read(&lines.stdout[..], Options::default());
     assert!(flaws.is_empty(), "{flaws:?}");
     let tasks = tasks();
     for ((a, b), task) in corpus.examples.iter().zip(&same.examples).zip(&tasks) {

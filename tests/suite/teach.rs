@@ -3,7 +3,7 @@
 
 use crate::command::call;
 use groundling::ccg::{ChartConfig, EntryText, Model, parse};
-use groundling::corpus::{Example, Form, Options, read};
+use groundling::corpus::{Example, Options, read};
 use groundling::learn::{CLEANUP_LEXICON, Config, Taught, Trainer, seed_model, teach};
 use groundling::worker::job::Role;
 use groundling::worker::protocol::{
@@ -17,7 +17,7 @@ const SIX: &str = include_str!("../../assets/corpus/six.csv");
 const CROWD: &str = include_str!("../data/corpus/crowd-learn.csv");
 
 fn examples(text: &str) -> Vec<Example> {
-    read(Form::Csv, text.as_bytes(), Options::default()).0.examples
+    read(text.as_bytes(), Options::default()).0.examples
 }
 
 /// A model of the crowd's rows, trained once for all tests here.

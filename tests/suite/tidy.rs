@@ -210,6 +210,18 @@ fn files_are_short() {
 }
 
 #[test]
+fn checks_of_a_flow_wait_for_what_they_check() {
+    let rule = rules::flows_wait;
+    let path = "tests/e2e/flows/a.mjs";
+    let good =
+        "await t.equal(() => demo.plain(), 'a', 'b');\nconst holds = () => t.check(is, 'b');";
+    tells_apart(rule, path, "await t.equal(await demo.plain(), 'a', 'b');", good);
+    tells_apart(rule, path, "await t.check((await demo.why()).includes('a'), 'b');", good);
+    tells_apart(rule, path, "  t.check(seen, 'b');", good);
+    holds(rule);
+}
+
+#[test]
 fn files_begin_by_saying_what_they_are() {
     let rule = rules::has_a_head;
     tells_apart(rule, "src/a.rs", "fn f() {}", "//! What this file is, in a few words.");

@@ -159,7 +159,13 @@ impl Act for Train {
 
 pub(crate) fn report(name: &str, rows: usize) -> CorpusReport {
     let row = RowSummary { command: "go".to_owned(), task: None, pairs: 1 };
-    CorpusReport { name: name.to_owned(), rows: vec![row; rows], rejected: 0, problems: Vec::new() }
+    CorpusReport {
+        name: name.to_owned(),
+        rows: vec![row; rows],
+        rejected: 0,
+        left_out: 0,
+        problems: Vec::new(),
+    }
 }
 
 pub(crate) fn model(text: &str) -> TrainReport {

@@ -1,7 +1,7 @@
 //! The corpus of many voices: every row of `assets/corpus/wide.csv.xz` is a command of `wide.txt`, and its pairs show
 //! the task and none of the readings that the task is unlike.
 
-use groundling::corpus::{Corpus, Form, Options, read};
+use groundling::corpus::{Corpus, Options, read};
 use groundling::ground::Goal;
 use groundling::logic::{Terms, read as form};
 use groundling::study::read_tasks;
@@ -16,7 +16,7 @@ fn rows() -> Corpus {
     let xz = Command::new("xz").args(["--decompress", "--stdout", packed]).output();
     let xz = xz.expect("xz unpacks the corpus: apt-get install xz-utils");
     assert!(xz.status.success(), "{xz:?}");
-    let (corpus, flaws) = read(Form::Csv, &xz.stdout[..], Options::default());
+    let (corpus, flaws) = read(&xz.stdout[..], Options::default());
     assert!(flaws.is_empty(), "{flaws:?}");
     corpus
 }

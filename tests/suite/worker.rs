@@ -20,7 +20,7 @@ mod worlds;
 use crate::learn::{SIX, six};
 use groundling::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
 use groundling::worker::job::Role;
-use groundling::worker::protocol::{Event, Request, SeedLexicon, TrainSettings};
+use groundling::worker::protocol::{CorpusFile, Event, Request, SeedLexicon, TrainSettings};
 use groundling::worker::{Engine, Learner, Talker};
 
 /// The steps that may pass without a word: a search of two million states at 2,000 a step takes a thousand.
@@ -35,7 +35,8 @@ fn train(epochs: u32) -> Request {
 }
 
 fn corpus(name: &str, text: &str) -> Request {
-    Request::ReadCorpus { name: name.to_owned(), text: text.to_owned() }
+    let file = CorpusFile { name: name.to_owned(), bytes: text.into() };
+    Request::ReadCorpus { files: vec![file], with_rejected: false }
 }
 
 /// Steps until there is something to say.
@@ -119,7 +120,6 @@ fn a_corpus_is_read_and_kept_and_a_bad_one_replaces_nothing() {
         ("headers.csv", headers),
         ("broken.csv", &broken),
         ("other.csv", &SIX.replace("Answer.command", "Answer.remark")),
-        ("six.jsonl", SIX),
         ("empty.jsonl", ""),
     ] {
         let event = only(pump(&mut engine, 3, corpus(name, text)));
@@ -207,16 +207,18 @@ fn training_says_something_every_few_steps() {
         // commands, twice.
         assert!(silent <= if reported < 24 { 2 } else { 12 }, "{silent} steps after {reported}");
     }
-    // A file is read in steps of a few rows: no step reads it all.
+    // A file is read in steps of a demonstration, and says how far it is.
     engine.start(
         3,
         corpus("long.csv", &format!("{SIX}{}", SIX.split_once('\n').unwrap().1.repeat(9))),
     );
-    let mut steps = 0;
-    while engine.step().is_none() {
+    let (mut steps, mut reports) = (0, 0);
+    while engine.busy() {
         steps += 1;
+        reports += usize::from(matches!(engine.step(), Some((3, Event::Reading { .. }))));
     }
-    assert!((10..=60).contains(&steps), "{steps} steps for sixty rows");
+    assert!((180..=600).contains(&steps), "{steps} steps for sixty rows");
+    assert!((2..=8).contains(&reports), "{reports} reports of four pieces");
 }
 
 #[test]

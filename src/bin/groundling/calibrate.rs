@@ -1,7 +1,8 @@
 //! `calibrate`: learns from a model's answers how far they can be trusted.
 
-use super::command::{Command, Done, Failure};
-use super::corpora::{examples, speaker, write};
+use super::command::{Command, Done, Failure, once};
+use super::corpora::{examples, speaker};
+use super::output::Output;
 use groundling::learn::calibrate::{calibrate, marks};
 use lexopt::ValueExt;
 use std::path::PathBuf;
@@ -19,7 +20,7 @@ pub(crate) const COMMAND: Command = Command {
 
 fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     use lexopt::Arg::{Long, Value};
-    let (mut model, mut out, mut corpora) = (None, None, Vec::new());
+    let (mut model, mut out, mut corpora) = (None, None::<PathBuf>, Vec::new());
     let mut precision = 0.9;
     let mut in_corpora = false;
     while let Some(argument) = arguments.next()? {
@@ -31,7 +32,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
                 in_corpora = false;
                 match other {
                     Long("model") => model = Some(PathBuf::from(arguments.value()?)),
-                    Long("out") => out = Some(PathBuf::from(arguments.value()?)),
+                    Long("out") => once(&mut out, "--out", &mut arguments)?,
                     Long("precision") => precision = arguments.value()?.parse()?,
                     other => return Err(other.unexpected().into()),
                 }
@@ -43,12 +44,13 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     if corpora.is_empty() {
         return Err(missing("--corpus FILE"));
     }
+    let out = Output::at(&out, corpora.iter().map(|(_, corpus)| corpus))?;
     let mut all = Vec::with_capacity(corpora.len());
     for (model, corpus) in corpora {
         let mut model = speaker(&model.ok_or_else(|| missing("--model MODEL"))?)?;
-        all.push(marks(&mut model, &examples(&[corpus], false)?));
+        all.push(marks(&mut model, &examples(&[corpus], false)?.examples));
     }
     let lines = calibrate(&all, precision).lines();
-    write(&out, &(lines.join("\n") + "\n"))?;
+    out.write(&(lines.join("\n") + "\n"))?;
     Ok(Done::Well)
 }

@@ -87,6 +87,18 @@ pub(crate) fn only_files(mut arguments: lexopt::Parser) -> Result<Vec<PathBuf>, 
     Ok(files)
 }
 
+/// Takes the value of an option that stands once.
+pub(crate) fn once<T: From<std::ffi::OsString>>(
+    place: &mut Option<T>,
+    name: &str,
+    arguments: &mut lexopt::Parser,
+) -> Result<(), Failure> {
+    match place.replace(arguments.value()?.into()) {
+        None => Ok(()),
+        Some(_) => Err(Failure::Usage(format!("{name} is given twice: leave one out"))),
+    }
+}
+
 /// What a blank line in a stream is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Blank {

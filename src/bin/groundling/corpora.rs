@@ -1,48 +1,107 @@
-//! Reading corpora and writing models for the commands that train and evaluate.
+//! Reading corpora and other files for the commands that train and evaluate.
 
 use super::command::Failure;
 use groundling::ccg::{General, Model};
-use groundling::corpus::{Example, Flaw, Form, Options, read};
+use groundling::corpus::example::MAX_FILE_BYTES;
+use groundling::corpus::{Example, Flaw, Options, read, text_of};
+use serde_json::Value;
 use std::fs::{self, File};
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Flaws of a file that are told one by one.
 const MAX_TOLD: usize = 20;
 
-/// The examples of all files in their order; what is wrong or odd with a row goes to standard error.
-pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Vec<Example>, Failure> {
-    let mut all = Vec::new();
+/// The examples of some files, and what became of all their rows.
+#[derive(Debug, Default)]
+pub(crate) struct Loaded {
+    pub(crate) examples: Vec<Example>,
+    pub(crate) rows: Rows,
+}
+
+/// What became of rows.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Rows {
+    read: usize,
+    rejected: usize,
+    left_out: usize,
+}
+
+impl Rows {
+    /// With those of more files.
+    pub(crate) fn add(&mut self, other: Rows) {
+        self.read += other.read;
+        self.rejected += other.rejected;
+        self.left_out += other.left_out;
+    }
+
+    /// Says it in a report.
+    pub(crate) fn put(self, report: &mut Value) {
+        report["rows"] = self.read.into();
+        report["rejected"] = self.rejected.into();
+        report["left_out"] = self.left_out.into();
+    }
+}
+
+impl std::fmt::Display for Rows {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Rows { read, rejected, left_out } = *self;
+        let used = read - rejected - left_out;
+        write!(f, "{read} rows: {used} used, {rejected} rejected, {left_out} left out")?;
+        if rejected > 0 { f.write_str(" (--with-rejected uses rejected rows)") } else { Ok(()) }
+    }
+}
+
+/// The examples of all files in their order; what became of the rows, and what is wrong or odd with one, goes to
+/// standard error.
+pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Loaded, Failure> {
+    let mut all = Loaded::default();
     for path in files {
         let failed = |source| Failure::Input { path: path.clone(), source };
         let source: Box<dyn Read> = if path.as_os_str() == "-" {
             Box::new(io::stdin().lock())
         } else {
-            Box::new(BufReader::new(File::open(path).map_err(failed)?))
+            let file = File::open(path).map_err(failed)?;
+            // What is known to be too large need not be read to be refused.
+            let bytes = file.metadata().map_or(0, |found| found.len());
+            if bytes > MAX_FILE_BYTES {
+                let (path, most) = (path.display(), MAX_FILE_BYTES >> 20);
+                return Err(Failure::Usage(format!(
+                    "{path}: the file has {} MB, more than {most}; split it, and give all parts",
+                    bytes.div_ceil(1 << 20)
+                )));
+            }
+            Box::new(file)
         };
-        let form = Form::of_name(&path.to_string_lossy());
-        let (corpus, flaws) = read(form, source, Options { with_rejected });
-        if corpus.examples.is_empty() {
-            let why = flaws.first().map_or("it has no rows".to_owned(), ToString::to_string);
+        let (corpus, flaws) = read(source, Options { with_rejected });
+        let rows =
+            Rows { read: corpus.rows(), rejected: corpus.rejected, left_out: corpus.left_out };
+        if let Some(why) = corpus.why_empty(&flaws) {
             let path = path.display();
-            return Err(Failure::Usage(format!("{path}: no row can be used: {why}")));
+            let keep = if rows.rejected > 0 { " (--with-rejected uses them)" } else { "" };
+            return Err(Failure::Usage(format!("{path}: no row can be used: {why}{keep}")));
         }
-        tell(path, &flaws);
-        all.extend(corpus.examples);
+        tell(path, &flaws, rows);
+        all.rows.add(rows);
+        all.examples.extend(corpus.examples);
     }
     Ok(all)
 }
 
-/// Says on standard error what is wrong or odd with rows; the work goes on when nobody listens there.
-fn tell(path: &Path, flaws: &[Flaw]) {
+/// Says on standard error what became of rows; the work goes on when nobody listens there.
+fn tell(path: &Path, flaws: &[Flaw], rows: Rows) {
     let mut error = io::stderr();
+    let path = path.display();
     for flaw in flaws.iter().take(MAX_TOLD) {
         let fate = if flaw.kept { "kept" } else { "left out" };
-        let _ = writeln!(error, "{}: {flaw} ({fate})", path.display());
+        let _ = writeln!(error, "{path}: {flaw} ({fate})");
     }
     if flaws.len() > MAX_TOLD {
-        let _ = writeln!(error, "{}: and {} more", path.display(), flaws.len() - MAX_TOLD);
+        let _ = writeln!(error, "{path}: and {} more", flaws.len() - MAX_TOLD);
+    }
+    if rows.rejected + rows.left_out > 0 {
+        let _ = writeln!(error, "{path}: {rows}");
     }
 }
 
@@ -63,17 +122,11 @@ pub(crate) fn speaker(path: &Path) -> Result<Model, Failure> {
     Ok(model)
 }
 
-/// A text file.
+/// A text file, without its byte-order mark.
 pub(crate) fn text(path: &Path) -> Result<String, Failure> {
-    fs::read_to_string(path).map_err(|source| Failure::Input { path: path.to_owned(), source })
-}
-
-/// Writes a file whole or not at all: beside it first, then in its place.
-pub(crate) fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(".part");
-    let beside = PathBuf::from(beside);
-    fs::write(&beside, text)
-        .and_then(|()| fs::rename(&beside, path))
-        .map_err(|e| Failure::Usage(format!("cannot write {}: {e}", path.display())))
+    let failed = |source| Failure::Input { path: path.to_owned(), source };
+    text_of(fs::read(path).map_err(failed)?).map_err(|line| {
+        let path = path.display();
+        Failure::Usage(format!("{path}: line {line} is not UTF-8 text: save the file in UTF-8"))
+    })
 }

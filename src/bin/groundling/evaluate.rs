@@ -1,7 +1,7 @@
 //! `evaluate`: a model's precision, recall and F1 on a corpus.
 
-use super::command::{Command, Done, Failure};
-use super::corpora::{examples, speaker};
+use super::command::{Command, Done, Failure, once};
+use super::corpora::{Loaded, examples, speaker};
 use super::figures::{report_json, report_text};
 use groundling::ccg::ChartConfig;
 use groundling::learn::Evaluation;
@@ -12,13 +12,14 @@ use std::time::Instant;
 pub(crate) const COMMAND: Command = Command {
     name: "evaluate",
     about: "Score a model on commands with states before and after",
-    usage: "--model MODEL --corpus FILE [--with-rejected] [--json]",
+    usage: "--model MODEL --corpus FILE… [--with-rejected] [--json]",
     details: "  --model MODEL       a model file\n\
-              \x20 --corpus FILE       batch-results CSV or JSON lines (.jsonl)\n\
+              \x20 --corpus FILE…      batch-results CSV or JSON, found out by what is in it; all are judged together\n\
               \x20 --with-rejected     use rejected rows too\n\
               \x20 --json              print one JSON object: total, answered, correct, precision, recall, f1;\n\
               \x20                     the same after skipping_ (words skipped) and resolved_ (ties broken by\n\
-              \x20                     which form refers); intervals (95 %), tasks, confusion, seconds; and of the\n\
+              \x20                     which form refers); intervals (95 %), tasks, confusion, seconds; rows, rejected and\n\
+              \x20                     left_out, which became of the rows of the files; and of the\n\
               \x20                     answers that say how likely they are right (words skipped): asked,\n\
               \x20                     unasked_precision, ece (expected calibration error, ten bins), reliability\n\
               \x20                     (the bins), risk_coverage",
@@ -26,13 +27,22 @@ pub(crate) const COMMAND: Command = Command {
 };
 
 fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
-    use lexopt::Arg::Long;
-    let (mut model_file, mut corpus) = (None, None);
+    use lexopt::Arg::{Long, Value};
+    let (mut model_file, mut corpus) = (None::<PathBuf>, Vec::<PathBuf>::new());
+    let mut in_corpus = false;
     let (mut with_rejected, mut as_json) = (false, false);
     while let Some(argument) = arguments.next()? {
+        let was_in_corpus = std::mem::take(&mut in_corpus);
         match argument {
-            Long("model") => model_file = Some(PathBuf::from(arguments.value()?)),
-            Long("corpus") => corpus = Some(PathBuf::from(arguments.value()?)),
+            Long("model") => once(&mut model_file, "--model", &mut arguments)?,
+            Long("corpus") => {
+                corpus.push(arguments.value()?.into());
+                in_corpus = true;
+            }
+            Value(file) if was_in_corpus => {
+                corpus.push(file.into());
+                in_corpus = true;
+            }
             Long("with-rejected") => with_rejected = true,
             Long("json") => as_json = true,
             other => return Err(other.unexpected().into()),
@@ -40,7 +50,10 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     }
     let missing = |name: &str| Failure::Usage(format!("{name} is missing"));
     let mut model = speaker(&model_file.ok_or_else(|| missing("--model MODEL"))?)?;
-    let examples = examples(&[corpus.ok_or_else(|| missing("--corpus FILE"))?], with_rejected)?;
+    if corpus.is_empty() {
+        return Err(missing("--corpus FILE"));
+    }
+    let Loaded { examples, rows } = examples(&corpus, with_rejected)?;
     let started = Instant::now();
     let config = ChartConfig::of(&model);
     let mut evaluation = Evaluation::new(&mut model, &examples, config);
@@ -48,10 +61,11 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     let report = evaluation.into_report();
     let text = if as_json {
         let mut object = report_json(&report);
+        rows.put(&mut object);
         object["seconds"] = started.elapsed().as_secs_f64().into();
         object.to_string()
     } else {
-        report_text(&report)
+        format!("{rows}\n{}", report_text(&report))
     };
     writeln!(io::stdout(), "{text}").map_err(Failure::Output)?;
     Ok(Done::Well)

@@ -2,7 +2,7 @@
 
 use super::command::{Command, Done, Failure};
 use super::corpora::text;
-use groundling::corpus::{Corpus, Example, example::MAX_PAIRS, jsonl, mturk};
+use groundling::corpus::{Cells, Corpus, Example, example::MAX_PAIRS, jsonl, mturk};
 use groundling::domain::Blueprint;
 use groundling::study::{TASKS, draw, read_tasks};
 use lexopt::ValueExt;
@@ -116,7 +116,7 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
                 task: Some(task.name.clone()),
                 worker: saying.voice.clone(),
                 pairs: drawn.pairs,
-                rest: Vec::new(),
+                rest: Cells::default(),
             });
         }
     }

@@ -19,6 +19,7 @@ pub(crate) const COMMAND: Command = Command {
 };
 
 #[derive(Deserialize)]
+#[serde(expecting = "a question: {goal, initial, current}")]
 struct Question<'a> {
     goal: String,
     #[serde(borrow)]

@@ -1,6 +1,6 @@
 //! `parse`: a command a line in, its readings as a JSON line out.
 
-use super::command::{Blank, Command, Done, Failure, answer_lines};
+use super::command::{Blank, Command, Done, Failure, answer_lines, once};
 use super::corpora::speaker;
 use groundling::ccg::{ChartConfig, Explanation, parse, probability};
 use groundling::logic::print;
@@ -26,11 +26,11 @@ pub(crate) const COMMAND: Command = Command {
 
 fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     use lexopt::Arg;
-    let (mut model_file, mut files) = (None, Vec::new());
+    let (mut model_file, mut files) = (None::<PathBuf>, Vec::new());
     let (mut best, mut explain) = (10usize, false);
     while let Some(argument) = arguments.next()? {
         match argument {
-            Arg::Long("model") => model_file = Some(PathBuf::from(arguments.value()?)),
+            Arg::Long("model") => once(&mut model_file, "--model", &mut arguments)?,
             Arg::Long("best") => best = arguments.value()?.parse()?,
             Arg::Long("explain") => explain = true,
             Arg::Long("json") => {}

@@ -41,6 +41,7 @@ const MOST_ACTIONS: usize = 100_000;
 
 /// A line of input; what else it holds is not looked at.
 #[derive(Deserialize)]
+#[serde(expecting = "a question: {goal, initial}")]
 struct Question<'a> {
     goal: String,
     #[serde(borrow)]

@@ -1,8 +1,9 @@
 //! `train`: corpora in, a model file out.
 
-use super::command::{Command, Done, Failure};
-use super::corpora::{examples, model, text, write};
+use super::command::{Command, Done, Failure, once};
+use super::corpora::{Loaded, examples, model, text};
 use super::figures::scores_json;
+use super::output::Output;
 use groundling::ccg::{ChartConfig, Doubt, EntryText};
 use groundling::corpus::Example;
 use groundling::learn::{CLEANUP_LEXICON, Config, Evaluation, Taught, Trainer, seed_model, teach};
@@ -16,8 +17,8 @@ pub(crate) const COMMAND: Command = Command {
     name: "train",
     about: "Learn a parser from commands and the states before and after them",
     usage: "[--into MODEL] --corpus FILE… --out MODEL [OPTIONS]",
-    details: "  --corpus FILE…        batch-results CSV or JSON lines (.jsonl)\n\
-              \x20 --out MODEL           where the model goes\n\
+    details: "  --corpus FILE…        batch-results CSV or JSON, found out by what is in it\n\
+              \x20 --out MODEL           where the model goes; - is standard output\n\
               \x20 --demonstrations N    look at the first N pairs of each row (all)\n\
               \x20 --with-rejected       use rejected rows too\n\
               \x20 --epochs N            passes over the corpus (15)\n\
@@ -27,7 +28,7 @@ pub(crate) const COMMAND: Command = Command {
               \x20 --lexicon FILE        the seed lexicon (that of the whole domain)\n\
               \x20 --without-idioms      give no whole command a meaning of its own\n\
               \x20 --doubt MAP           how far its answers can be trusted, as `calibrate` learned it\n\
-              \x20 --held-out FILE       score every epoch's model on this corpus\n\
+              \x20 --held-out FILE…      score every epoch's model on these corpora\n\
               \x20 --checkpoint FILE     keep a file to go on from, after each epoch\n\
               \x20 --resume FILE         go on from such a file, with the same corpus and settings\n\
               \x20 --into MODEL          teach a finished model these few examples besides, with its own settings:\n\
@@ -41,7 +42,7 @@ struct Options {
     corpus: Vec<PathBuf>,
     out: Option<PathBuf>,
     lexicon: Option<PathBuf>,
-    held_out: Option<PathBuf>,
+    held_out: Vec<PathBuf>,
     doubt: Option<PathBuf>,
     checkpoint: Option<PathBuf>,
     resume: Option<PathBuf>,
@@ -58,14 +59,21 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
     if options.corpus.is_empty() {
         return Err(missing("--corpus FILE"));
     }
-    let training = examples(&options.corpus, options.with_rejected)?;
-    if let Some(path) = &options.into {
-        return into(path, &training, &options, &out);
-    }
-    let held_out = match &options.held_out {
-        Some(path) => examples(std::slice::from_ref(path), options.with_rejected)?,
-        None => Vec::new(),
+    let inputs = || {
+        let others = [&options.lexicon, &options.doubt];
+        options.corpus.iter().chain(&options.held_out).chain(others.into_iter().flatten())
     };
+    let out = Output::at(&out, inputs())?;
+    let checkpoint = options.checkpoint.as_deref();
+    let checkpoint = checkpoint.map(|path| Output::at(path, inputs())).transpose()?;
+    let loaded = examples(&options.corpus, options.with_rejected)?;
+    // Standard error may be gone; the work goes on.
+    let _ = writeln!(io::stderr(), "{}", loaded.rows);
+    if let Some(path) = &options.into {
+        return into(path, &loaded, &options, &out);
+    }
+    let Loaded { examples: training, rows } = loaded;
+    let held_out = examples(&options.held_out, options.with_rejected)?.examples;
     let doubt = options.doubt.as_deref().map(doubt_of).transpose()?;
     let started = Instant::now();
     let mut trainer = match &options.resume {
@@ -107,20 +115,21 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
             report["held_out"] = held_out_scores(&trainer, &held_out);
         }
         epochs.push(report);
-        if let Some(path) = &options.checkpoint {
-            write(path, &trainer.checkpoint())?;
+        if let Some(checkpoint) = &checkpoint {
+            checkpoint.write(&trainer.checkpoint())?;
         }
     }
     let entries = trainer.model().lexicon.len();
     let mut model = trainer.end();
     model.doubt = doubt;
-    write(&out, &model.print())?;
+    out.write(&model.print())?;
     if options.json {
-        let report = json!({
+        let mut report = json!({
             "examples": training.len(), "entries": entries, "epochs": epochs,
-            "seconds": started.elapsed().as_secs_f64(), "model": out.display().to_string(),
+            "seconds": started.elapsed().as_secs_f64(), "model": out.name(),
         });
-        writeln!(io::stdout(), "{report}").map_err(Failure::Output)?;
+        rows.put(&mut report);
+        out.report(&report.to_string())?;
     }
     Ok(Done::Well)
 }
@@ -131,7 +140,8 @@ fn doubt_of(path: &Path) -> Result<Doubt, Failure> {
 }
 
 /// Teaches a finished model a few examples besides.
-fn into(path: &Path, examples: &[Example], options: &Options, out: &Path) -> Result<Done, Failure> {
+fn into(path: &Path, loaded: &Loaded, options: &Options, out: &Output) -> Result<Done, Failure> {
+    let Loaded { examples, rows } = loaded;
     let model = model(path)?;
     let started = Instant::now();
     let demonstrations = options.config.demonstrations;
@@ -139,7 +149,7 @@ fn into(path: &Path, examples: &[Example], options: &Options, out: &Path) -> Res
     let Taught { model, entries, understood } = teach(model, examples, config)
         .map_err(|e| Failure::Usage(format!("{}: {e}", path.display())))?;
     let seconds = started.elapsed().as_secs_f64();
-    write(out, &model.print())?;
+    out.write(&model.print())?;
     let n_understood = understood.iter().filter(|&&understood| understood).count();
     let (n_examples, n_entries) = (examples.len(), entries.len());
     let _ = writeln!(
@@ -151,12 +161,13 @@ fn into(path: &Path, examples: &[Example], options: &Options, out: &Path) -> Res
         let commands = examples.iter().zip(&understood).map(
             |(example, understood)| json!({ "command": example.command, "understood": understood }),
         );
-        let report = json!({
+        let mut report = json!({
             "examples": n_examples, "entries": model.lexicon.len(),
             "added": added.collect::<Vec<_>>(), "commands": commands.collect::<Vec<_>>(),
-            "seconds": seconds, "model": out.display().to_string(),
+            "seconds": seconds, "model": out.name(),
         });
-        writeln!(io::stdout(), "{report}").map_err(Failure::Output)?;
+        rows.put(&mut report);
+        out.report(&report.to_string())?;
     }
     Ok(Done::Well)
 }
@@ -173,24 +184,31 @@ fn held_out_scores(trainer: &Trainer, examples: &[Example]) -> Value {
 fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
     use lexopt::Arg::{Long, Value};
     let mut options = Options::default();
-    let mut in_corpus = false;
+    // Which list of files goes on.
+    let mut list = None;
     while let Some(argument) = arguments.next()? {
-        let was_in_corpus = std::mem::take(&mut in_corpus);
+        let held_out = match (&argument, list.take()) {
+            (Long("corpus"), _) => Some(false),
+            (Long("held-out"), _) => Some(true),
+            (Value(_), held_out) => held_out,
+            _ => None,
+        };
+        if let Some(is_held_out) = held_out {
+            let file = match argument {
+                Value(file) => file,
+                _ => arguments.value()?,
+            };
+            let files = if is_held_out { &mut options.held_out } else { &mut options.corpus };
+            files.push(file.into());
+            list = held_out;
+            continue;
+        }
         match argument {
-            Long("corpus") => {
-                options.corpus.push(arguments.value()?.into());
-                in_corpus = true;
-            }
-            Value(file) if was_in_corpus => {
-                options.corpus.push(file.into());
-                in_corpus = true;
-            }
-            Long("out") => options.out = Some(arguments.value()?.into()),
-            Long("lexicon") => options.lexicon = Some(arguments.value()?.into()),
-            Long("held-out") => options.held_out = Some(arguments.value()?.into()),
-            Long("checkpoint") => options.checkpoint = Some(arguments.value()?.into()),
-            Long("into") => options.into = Some(arguments.value()?.into()),
-            Long("resume") => options.resume = Some(arguments.value()?.into()),
+            Long("out") => once(&mut options.out, "--out", &mut arguments)?,
+            Long("lexicon") => once(&mut options.lexicon, "--lexicon", &mut arguments)?,
+            Long("checkpoint") => once(&mut options.checkpoint, "--checkpoint", &mut arguments)?,
+            Long("into") => once(&mut options.into, "--into", &mut arguments)?,
+            Long("resume") => once(&mut options.resume, "--resume", &mut arguments)?,
             Long("with-rejected") => options.with_rejected = true,
             Long("json") => options.json = true,
             Long("demonstrations") => {
@@ -202,7 +220,7 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
             Long("lexical-beam") => {
                 options.config.lexical_beam = at_least_one(&mut arguments, "--lexical-beam")?;
             }
-            Long("doubt") => options.doubt = Some(arguments.value()?.into()),
+            Long("doubt") => once(&mut options.doubt, "--doubt", &mut arguments)?,
             Long("without-idioms") => options.config.idioms = false,
             Long("seed") => options.config.seed = arguments.value()?.parse()?,
             other => return Err(other.unexpected().into()),

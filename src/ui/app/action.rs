@@ -39,8 +39,8 @@ pub enum Action {
     Undo,
     /// Do what was undone again.
     Redo,
-    /// A file was dropped.
-    Offered(Offered),
+    /// Files were dropped.
+    Offered(Vec<Offered>),
     /// Something was copied, or could not be.
     Copied(bool),
 

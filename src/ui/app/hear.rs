@@ -20,6 +20,7 @@ pub(super) fn told(state: &mut State, program: Program, news: Option<News>) {
         Some(News::Progress(Event::Progress(progress))) => {
             train::hear::progressed(train, progress);
         }
+        Some(News::Progress(Event::Reading { done, of })) => train.reading = Some((done, of)),
         Some(News::Progress(event)) => talk::hear::progressed(talk, event),
         Some(News::Answer(request, event)) => answered(state, request, event),
         Some(News::Stopped) if program == Program::Learner => train::hear::stopped(train),

@@ -46,7 +46,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         }
         Action::Undo => travel(state, History::undo, |text| text.undone),
         Action::Redo => travel(state, History::redo, |text| text.redone),
-        Action::Offered(file) => wish::open(state, file),
+        Action::Offered(files) => wish::open(state, files),
         Action::Copied(well) => {
             let text = Common::of(shared.language);
             shared.say(if well { text.copied } else { text.not_copied });

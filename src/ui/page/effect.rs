@@ -1,7 +1,7 @@
 //! What the pages want done ([`Effect`]). Plain data: a test reads effects, with no browser.
 
 use super::language::Language;
-use crate::worker::protocol::{Envelope, Program, Request};
+use crate::worker::protocol::{CorpusFile, Envelope, Program, Request};
 
 /// Something for the view to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,6 +31,8 @@ pub enum Effect {
         /// Its text.
         text: String,
     },
+    /// Offer a file that a person gave to the person again.
+    GiveBack(CorpusFile),
 }
 
 /// What a timer was for. The number tells a stale one from the one that counts.

@@ -37,7 +37,8 @@ pub fn heard(shared: &mut Shared, program: Program, envelope: Envelope<Event>) -
         }
         Event::Pong => None,
         Event::Crashed { message } => Some(stopped(shared, program, message)),
-        progress @ (Event::Progress(_)
+        progress @ (Event::Reading { .. }
+        | Event::Progress(_)
         | Event::Planning(_)
         | Event::RollingOut(_)
         | Event::Experimenting(_)) => {

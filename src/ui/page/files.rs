@@ -6,7 +6,7 @@ pub const MAX_BYTES: f64 = 67_108_864.0;
 /// What a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A corpus: batch-results CSV or JSON lines.
+    /// A corpus: batch-results CSV or JSON.
     Corpus,
     /// A model.
     Model,
@@ -32,8 +32,8 @@ pub enum Fault {
 pub struct Offered {
     /// Its name.
     pub name: String,
-    /// Its text, or why it cannot be read.
-    pub text: Result<String, Fault>,
+    /// Its bytes, or why it cannot be read.
+    pub bytes: Result<Vec<u8>, Fault>,
 }
 
 /// Refuses a file by its size in bytes.
@@ -49,20 +49,23 @@ pub fn admit(bytes: f64) -> Result<(), Fault> {
 }
 
 /// What a file is: a session and a model say so in their first line, anything else is taken for a corpus.
-pub fn kind(name: &str, text: &str) -> Kind {
-    if text.trim_start().starts_with("{\"groundling-session\"") {
+pub fn kind(name: &str, bytes: &[u8]) -> Kind {
+    let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
+    if start.starts_with(b"{\"groundling-session\"") {
         return Kind::Session;
     }
-    let first = text.trim_start_matches('\u{feff}').lines().next().unwrap_or_default();
     let named = name.rsplit_once('.').is_some_and(|(_, end)| end.eq_ignore_ascii_case("model"));
-    if named || first.starts_with("groundling") { Kind::Model } else { Kind::Corpus }
+    if named || start.starts_with(b"groundling") { Kind::Model } else { Kind::Corpus }
 }
 
-/// A file's bytes as text.
+/// The text of a file that is read whole, without its byte-order mark.
 ///
 /// # Errors
-/// When they are not UTF-8.
-pub fn decode(bytes: Vec<u8>) -> Result<String, Fault> {
+/// When it is not UTF-8.
+pub fn text(mut bytes: Vec<u8>) -> Result<String, Fault> {
+    if bytes.starts_with(b"\xEF\xBB\xBF") {
+        bytes.drain(..3);
+    }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
         Fault::NotText(1 + error.as_bytes().iter().take(at).filter(|b| **b == b'\n').count())

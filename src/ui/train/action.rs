@@ -6,10 +6,14 @@ use crate::worker::protocol::TrainReport;
 /// Something that a person did.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// A file was chosen: it may be a corpus, or something else.
-    Offered(Offered),
+    /// Files were chosen: corpora, or something else.
+    Offered(Vec<Offered>),
     /// Go back to the page's own six sentences.
     OpenDemo,
+    /// Read the files again, with the rows that were rejected.
+    UseRejected,
+    /// Stop reading files.
+    StopReading,
     /// Open or close a row of the corpus.
     ToggleRow(usize),
     /// Show more rows of the corpus.
@@ -27,8 +31,8 @@ pub enum Action {
 /// What the page wants done elsewhere.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wish {
-    /// Open a file, whatever it is.
-    Open(Offered),
+    /// Open files, whatever they are.
+    Open(Vec<Offered>),
     /// Use the model that was trained on the corpus of this name.
     Use(TrainReport, String),
 }

@@ -1,7 +1,7 @@
-//! The corpus that is open on the page: what the engine said of it, its text (sent again to a new engine),
+//! The corpus that is open on the page: what the engine said of it, its files (sent again to a new engine),
 //! and which of its rows are open.
 
-use crate::worker::protocol::{CorpusReport, PairText};
+use crate::worker::protocol::{CorpusFile, CorpusReport, PairText};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -22,8 +22,10 @@ pub const PAGE: usize = 50;
 pub struct Corpus {
     /// What the engine read.
     pub report: Rc<CorpusReport>,
-    /// The file's text.
-    pub text: Rc<str>,
+    /// The files.
+    pub files: Rc<[CorpusFile]>,
+    /// Whether rows that were rejected are used.
+    pub with_rejected: bool,
     /// The demonstrations of rows that have been asked for.
     pub pairs: BTreeMap<usize, Rc<Vec<PairText>>>,
     /// The row whose demonstrations are all shown.
@@ -34,11 +36,12 @@ pub struct Corpus {
 
 impl Corpus {
     /// A corpus just read, with no row open.
-    pub fn new(report: CorpusReport, text: String) -> Corpus {
+    pub fn new(report: CorpusReport, files: Vec<CorpusFile>, with_rejected: bool) -> Corpus {
         let shown = report.rows.len().min(PAGE);
         Corpus {
             report: Rc::new(report),
-            text: text.into(),
+            files: files.into(),
+            with_rejected,
             pairs: BTreeMap::new(),
             open: None,
             shown,
@@ -47,7 +50,7 @@ impl Corpus {
 
     /// Whether this is the page's own corpus.
     pub fn is_demo(&self) -> bool {
-        *self.text == *DEMO
+        matches!(&*self.files, [only] if only.bytes == DEMO.as_bytes())
     }
 
     /// Shows more rows.

@@ -5,7 +5,7 @@ use super::corpus::{Corpus, SMALL};
 use super::state::{FileNotice, State};
 use super::words::Text;
 use crate::ui::page::shared::Shared;
-use crate::worker::protocol::{CorpusReport, Event, Progress, Request};
+use crate::worker::protocol::{CorpusFile, CorpusReport, Event, Progress, Request};
 use std::rc::Rc;
 
 /// Training is so far.
@@ -15,14 +15,14 @@ pub fn progressed(state: &mut State, progress: Progress) {
 
 /// The engine has stopped.
 pub fn stopped(state: &mut State) {
-    state.progress = None;
+    (state.progress, state.reading) = (None, None);
 }
 
 /// The engine began anew: it knows no corpus.
 pub fn restarted(state: &State, shared: &mut Shared) {
     if let Some(corpus) = &state.corpus {
-        let (name, text) = (corpus.report.name.clone(), corpus.text.to_string());
-        shared.send(Request::ReadCorpus { name, text }, false);
+        let (files, with_rejected) = (corpus.files.to_vec(), corpus.with_rejected);
+        shared.send(Request::ReadCorpus { files, with_rejected }, false);
     }
 }
 
@@ -33,12 +33,14 @@ pub fn answered(
     request: Request,
     event: Event,
 ) -> Option<Wish> {
-    if matches!(request, Request::Train { .. }) {
-        state.progress = None;
+    match request {
+        Request::Train { .. } => state.progress = None,
+        Request::ReadCorpus { .. } => state.reading = None,
+        _ => {}
     }
     match (event, request) {
-        (Event::Corpus(report), Request::ReadCorpus { text, .. }) => {
-            opened(state, shared, report, text);
+        (Event::Corpus(report), Request::ReadCorpus { files, with_rejected }) => {
+            opened(state, shared, report, files, with_rejected);
         }
         (Event::Row { row, pairs }, _) => {
             if let Some(corpus) = &mut state.corpus {
@@ -55,13 +57,16 @@ pub fn answered(
             state.notice = Some(words.to_owned());
             shared.say(words);
         }
+        (Event::Cancelled, Request::ReadCorpus { .. }) => {
+            let words = Text::of(shared.language).reading_stopped;
+            state.file_notice = Some(FileNotice::of(words.to_owned()));
+            shared.say(words);
+        }
         (Event::Refused { message }, request) => {
             shared.say(message.clone());
             match request {
                 Request::Train { .. } => state.notice = Some(message),
-                Request::ReadCorpus { .. } => {
-                    state.file_notice = Some(FileNotice { message, problems: Vec::new() });
-                }
+                Request::ReadCorpus { .. } => state.file_notice = Some(FileNotice::of(message)),
                 // Nobody asked for these by name.
                 _ => {}
             }
@@ -72,18 +77,25 @@ pub fn answered(
 }
 
 /// A corpus was read.
-fn opened(state: &mut State, shared: &mut Shared, report: CorpusReport, text: String) {
+fn opened(
+    state: &mut State,
+    shared: &mut Shared,
+    report: CorpusReport,
+    files: Vec<CorpusFile>,
+    with_rejected: bool,
+) {
     let words = Text::of(shared.language);
     if report.rows.is_empty() {
         let message = (words.no_rows)(&report.name);
         shared.say(message.clone());
-        state.file_notice = Some(FileNotice { message, problems: report.problems });
+        let rejected = if report.rejected > 0 { files } else { Vec::new() };
+        state.file_notice = Some(FileNotice { message, problems: report.problems, rejected });
         return;
     }
     let rows = report.rows.len();
     shared.say((words.corpus_open)(&report.name, rows));
     state.file_notice = None;
-    state.corpus = Some(Corpus::new(report, text));
+    state.corpus = Some(Corpus::new(report, files, with_rejected));
     if rows <= SMALL {
         for row in 0..rows {
             shared.send(Request::ShowRow { row }, false);

@@ -3,7 +3,7 @@
 use super::corpus::Corpus;
 use crate::ui::page::engine::Health;
 use crate::ui::page::shared::Shared;
-use crate::worker::protocol::{Problem, Progress, Request, TrainSettings};
+use crate::worker::protocol::{CorpusFile, Problem, Progress, Request, TrainSettings};
 
 /// The paper's settings, which the page trains with.
 pub const SETTINGS: TrainSettings =
@@ -16,6 +16,8 @@ pub struct State {
     pub corpus: Option<Corpus>,
     /// What is wrong with the file that was opened last: words, and problems by line.
     pub file_notice: Option<FileNotice>,
+    /// Bytes that are read and bytes in all, while files are read.
+    pub reading: Option<(u64, u64)>,
     /// How far training is, while it runs.
     pub progress: Option<Progress>,
     /// What came of training, when it is not a model.
@@ -29,6 +31,15 @@ pub struct FileNotice {
     pub message: String,
     /// By line and column.
     pub problems: Vec<Problem>,
+    /// The files, where rows of them were rejected and may be used all the same.
+    pub rejected: Vec<CorpusFile>,
+}
+
+impl FileNotice {
+    /// A notice of words alone.
+    pub fn of(message: String) -> FileNotice {
+        FileNotice { message, problems: Vec::new(), rejected: Vec::new() }
+    }
 }
 
 impl State {

@@ -7,18 +7,30 @@ use super::words::Text;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::files::Fault;
 use crate::ui::page::shared::Shared;
-use crate::worker::protocol::{Program, Request, SeedLexicon};
+use crate::worker::protocol::{CorpusFile, Program, Request, SeedLexicon};
 
 /// Does what a person wants; what is not the page's own to do is returned.
 pub fn update(state: &mut State, shared: &mut Shared, action: Action) -> Option<Wish> {
     match action {
-        Action::Offered(file) => return Some(Wish::Open(file)),
+        Action::Offered(files) => return Some(Wish::Open(files)),
         Action::OpenDemo => open_demo(state, shared),
         Action::ToggleRow(row) => toggle_row(state, shared, row),
         Action::MoreRows => state.corpus.iter_mut().for_each(Corpus::more),
         Action::SaveCorpus => {
-            if let Some(Corpus { report, text, .. }) = &state.corpus {
-                shared.want(Effect::Save { name: report.name.clone(), text: text.to_string() });
+            for file in state.corpus.iter().flat_map(|corpus| corpus.files.iter()) {
+                shared.want(Effect::GiveBack(file.clone()));
+            }
+        }
+        Action::UseRejected => {
+            let refused = state.file_notice.take().map(|notice| notice.rejected);
+            let open = || state.corpus.as_ref().map(|corpus| corpus.files.to_vec());
+            let files = refused.filter(|files| !files.is_empty()).or_else(open);
+            read_corpus(state, shared, files.unwrap_or_default(), true);
+        }
+        Action::StopReading => {
+            shared.learner.retain(|request| !matches!(request, Request::ReadCorpus { .. }));
+            if state.reading.is_some() {
+                shared.cancel(Program::Learner);
             }
         }
         Action::Train => train(state, shared),
@@ -46,22 +58,28 @@ pub fn begin(state: &mut State, shared: &mut Shared) {
     }
 }
 
-/// Gives the engine a corpus to read.
-pub fn read_corpus(state: &mut State, shared: &mut Shared, name: String, text: String) {
+/// Gives the engine files to read as one corpus.
+pub fn read_corpus(
+    state: &mut State,
+    shared: &mut Shared,
+    files: Vec<CorpusFile>,
+    with_rejected: bool,
+) {
     state.file_notice = None;
     shared.learner.retain(|r| !matches!(r, Request::ShowRow { .. } | Request::ReadCorpus { .. }));
-    shared.send(Request::ReadCorpus { name, text }, false);
+    shared.send(Request::ReadCorpus { files, with_rejected }, false);
 }
 
 /// A file of this name was offered that cannot be read.
 pub fn refuse(state: &mut State, shared: &mut Shared, name: &str, fault: Fault) {
     let message = (Text::of(shared.language).file_fault)(name, fault);
     shared.say(message.clone());
-    state.file_notice = Some(FileNotice { message, problems: Vec::new() });
+    state.file_notice = Some(FileNotice::of(message));
 }
 
 fn open_demo(state: &mut State, shared: &mut Shared) {
-    read_corpus(state, shared, DEMO_NAME.to_owned(), DEMO.to_owned());
+    let file = CorpusFile { name: DEMO_NAME.to_owned(), bytes: DEMO.into() };
+    read_corpus(state, shared, vec![file], false);
 }
 
 fn toggle_row(state: &mut State, shared: &mut Shared, row: usize) {

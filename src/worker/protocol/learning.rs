@@ -22,6 +22,7 @@ pub enum SeedLexicon {
 
 /// A new example: what is said, and what is then done.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(expecting = "a lesson: {command, pairs}")]
 pub struct Lesson {
     /// The command.
     pub command: String,
@@ -53,12 +54,12 @@ pub enum Experiment {
         /// What the set is called; the paper's are `raw` and `pruned`.
         set: String,
         /// What is judged on.
-        test: CorpusText,
+        test: CorpusFile,
     },
     /// The paper's Table III: learning without a planner and with one of horizon 1, 10 and 20.
     Table3 {
         /// What is judged on.
-        test: CorpusText,
+        test: CorpusFile,
         /// States that a run's planner may expand.
         budget: u64,
     },
@@ -80,22 +81,50 @@ pub enum Experiment {
 
 /// A corpus file.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct CorpusText {
-    /// Its name; the ending chooses the form.
+pub struct CorpusFile {
+    /// Its name, for messages.
     pub name: String,
-    /// Its text.
-    pub text: String,
+    /// Its bytes, which say what it is.
+    #[serde(with = "bytes")]
+    pub bytes: Vec<u8>,
+}
+
+/// Bytes cross as one piece, and not one by one.
+mod bytes {
+    use serde::de::{Deserializer, Error, Visitor};
+    use serde::ser::Serializer;
+    use std::fmt;
+
+    pub(super) fn serialize<S: Serializer>(bytes: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_bytes(bytes)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<u8>, D::Error> {
+        struct Bytes;
+        impl Visitor<'_> for Bytes {
+            type Value = Vec<u8>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("bytes")
+            }
+            fn visit_bytes<E: Error>(self, bytes: &[u8]) -> Result<Vec<u8>, E> {
+                Ok(bytes.to_vec())
+            }
+        }
+        from.deserialize_bytes(Bytes)
+    }
 }
 
 /// What came of reading a corpus.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CorpusReport {
-    /// The file's name.
+    /// The file's name, or the names of all files.
     pub name: String,
-    /// The good rows, in the file's order.
+    /// The good rows, in the files' order.
     pub rows: Vec<RowSummary>,
     /// Rows left out because they were rejected.
     pub rejected: usize,
+    /// Rows left out because something is wrong with them.
+    pub left_out: usize,
     /// Bad rows and oddities.
     pub problems: Vec<Problem>,
 }
@@ -126,6 +155,7 @@ pub struct Problem {
 
 /// One demonstration: the state before and the state after.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(expecting = "a pair of states: {pre, post}")]
 pub struct PairText {
     /// The state before.
     pub pre: State,

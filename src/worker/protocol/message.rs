@@ -1,8 +1,8 @@
 //! The messages themselves: requests of the page, events of the engine, and the envelope around both.
 
 use super::learning::{
-    CorpusReport, Experiment, ExperimentProgress, Lesson, PairText, Progress, SeedLexicon,
-    TeachReport, TrainReport, TrainSettings,
+    CorpusFile, CorpusReport, Experiment, ExperimentProgress, Lesson, PairText, Progress,
+    SeedLexicon, TeachReport, TrainReport, TrainSettings,
 };
 use super::planning::{Answer, PlanProgress, PlanText, Runs, ValueMap, WorldRules};
 use super::reading::Study;
@@ -10,7 +10,7 @@ use crate::domain::{Blueprint, State};
 use serde::{Deserialize, Serialize};
 
 /// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -46,12 +46,13 @@ impl Program {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Request {
-    /// Reads a corpus file and keeps it, if it has a good row → [`Event::Corpus`].
+    /// Reads corpus files and keeps them as one corpus, if each has a good row → [`Event::Reading`] now and then, then
+    /// [`Event::Corpus`].
     ReadCorpus {
-        /// The file's name, for messages; its ending chooses the form (`.jsonl`, otherwise CSV).
-        name: String,
-        /// The file's text.
-        text: String,
+        /// The files.
+        files: Vec<CorpusFile>,
+        /// Keep rows that were rejected.
+        with_rejected: bool,
     },
     /// The states of one row of the corpus that is kept → [`Event::Row`].
     ShowRow {
@@ -197,6 +198,13 @@ pub enum Event {
     Crashed {
         /// The panic's message and place.
         message: String,
+    },
+    /// A corpus is being read.
+    Reading {
+        /// Bytes that are read.
+        done: u64,
+        /// Bytes in all.
+        of: u64,
     },
     /// A corpus was read.
     Corpus(CorpusReport),

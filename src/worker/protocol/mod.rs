@@ -8,7 +8,7 @@ mod reading;
 mod wire;
 
 pub use learning::{
-    Confused, CorpusReport, CorpusText, Experiment, ExperimentProgress, ExperimentReport, Figures,
+    Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport, Figures,
     Judgement, Lesson, MOST_TAUGHT, PairText, Problem, Progress, RowSummary, RunPart, RunReport,
     SeedLexicon, TaskFigures, TeachReport, TrainReport, TrainSettings,
 };

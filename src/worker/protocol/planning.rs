@@ -10,6 +10,7 @@ pub const MOST_RUNS: u32 = 10_000;
 
 /// What can happen in a world.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(expecting = "the rules of a world")]
 pub struct WorldRules {
     /// Whether the robot may pull.
     pub pull: bool,

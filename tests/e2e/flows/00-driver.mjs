@@ -25,11 +25,11 @@ flow('the driver sees every kind of trouble', async (t) => {
     await t.until('each kind of trouble', () =>
       kinds.every((kind) => t.problems.some((problem) => kind.test(problem))));
     t.expect(/./);
-    t.equal(t.unexpected(), [], 'expected trouble passes');
+    await t.equal(t.unexpected(), [], 'expected trouble passes');
     const outside = await t.page.request.get(new URL('/index.html', site.address).href);
-    t.equal(outside.status(), 404, 'nothing is served beside the sub-path');
+    await t.equal(outside.status(), 404, 'nothing is served beside the sub-path');
     const escaped = await t.page.request.get(`${site.address}%2e%2e%2f%2e%2e%2fetc/passwd`);
-    t.equal(escaped.status(), 404, 'nothing is served from outside the folder');
+    await t.equal(escaped.status(), 404, 'nothing is served from outside the folder');
   } finally {
     await site.close();
     await rm(folder, { recursive: true });
@@ -43,7 +43,7 @@ flow('pictures that differ are told apart', async (t) => {
     for (let i = 0; i < side; i += 1) png.data.fill(0, i * 80, i * 80 + 4 * side - 1);
     return PNG.sync.write(png);
   };
-  t.equal(compare(picture(5), picture(5)).wrong, null, 'the same picture');
-  t.check(compare(picture(5), picture(9)).wrong, 'another picture passed');
-  t.equal(compare(picture(5), picture(9), { share: 0.5 }).wrong, null, 'within the tolerance');
+  await t.equal(compare(picture(5), picture(5)).wrong, null, 'the same picture');
+  await t.check(compare(picture(5), picture(9)).wrong, 'another picture passed');
+  await t.equal(compare(picture(5), picture(9), { share: 0.5 }).wrong, null, 'within the tolerance');
 });

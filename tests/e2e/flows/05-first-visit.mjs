@@ -7,15 +7,15 @@ import { openPage } from '../page.mjs';
 flow('a visitor presses an example, and the robot does it', async (t) => {
   const demo = await openPage(t);
   await t.accessible('the first view');
-  t.equal(await demo.by('plan').count(), 0, 'plans before anything was said');
+  await t.equal(() => demo.by('plan').count(), 0, 'plans before anything was said');
   await demo.press('example-1');
   await demo.answered('the example');
-  t.equal(await demo.by('command').inputValue(), 'put the yellow block in the biggest room', 'the command');
-  t.equal(await demo.plain(), 'The yellow block is in the biggest room.', 'in plain words');
+  await t.equal(() => demo.by('command').inputValue(), 'put the yellow block in the biggest room', 'the command');
+  await t.equal(() => demo.plain(), 'The yellow block is in the biggest room.', 'in plain words');
   await demo.says(/^I understood: The yellow block is in the biggest room\. The plan has \d+ steps\.$/);
   const steps = await demo.played();
-  t.check(steps > 4, `a plan of ${steps} steps`);
-  t.check(/yellow block in the blue room/.test(await demo.world()), await demo.world());
+  await t.check(steps > 4, `a plan of ${steps} steps`);
+  await t.check(async () => /yellow block in the blue room/.test(await demo.world()), () => demo.world());
   await demo.says(/^Done in \d+ steps\. The robot is in/);
   await t.accessible('an example that was done');
 });
@@ -25,12 +25,12 @@ flow('a command is read while it is typed, and planned for when it is sent', asy
   const answer = demo.by('answer');
   await demo.by('command').pressSequentially('go to the red room', { delay: 20 });
   await t.until('it is read', async () => (await demo.plain()) === 'The robot is in the red room.');
-  t.equal(await answer.getAttribute('data-live'), 'true', 'it was not sent');
-  t.equal(await demo.by('plan').count(), 0, 'plans');
+  await t.equal(() => answer.getAttribute('data-live'), 'true', 'it was not sent');
+  await t.equal(() => demo.by('plan').count(), 0, 'plans');
   await demo.by('command').press('Enter');
   await demo.played();
-  t.equal(await answer.getAttribute('data-live'), 'false', 'it was sent');
-  t.equal((await demo.robot()).room, 'red', 'where the robot ends');
+  await t.equal(() => answer.getAttribute('data-live'), 'false', 'it was sent');
+  await t.equal(async () => (await demo.robot()).room, 'red', 'where the robot ends');
 });
 
 flow('a plan is paused, stepped, scrubbed and undone', async (t) => {
@@ -41,11 +41,11 @@ flow('a plan is paused, stepped, scrubbed and undone', async (t) => {
   await t.until('the first step', async () => (await plan.getAttribute('data-at')) !== '0');
   await demo.press('plan-play');
   await demo.press('plan-first');
-  t.equal(await demo.robot(), start, 'back at the start');
+  await t.equal(() => demo.robot(), start, 'back at the start');
   await demo.press('plan-forward');
-  t.equal(await plan.getAttribute('data-at'), '1', 'one step on');
+  await t.equal(() => plan.getAttribute('data-at'), '1', 'one step on');
   await demo.by('plan-scrub').fill(await plan.getAttribute('data-steps'));
-  t.equal((await demo.robot()).room, 'blue', 'scrubbed to the end');
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'scrubbed to the end');
   await demo.press('undo');
-  t.equal(await demo.robot(), start, 'undone');
+  await t.equal(() => demo.robot(), start, 'undone');
 });

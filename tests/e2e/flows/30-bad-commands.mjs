@@ -20,17 +20,16 @@ flow('commands that come to nothing', async (t) => {
   const before = await demo.robot();
   for (const [what, command, kind, words] of COMMANDS) {
     await demo.ask(command);
-    t.check((await demo.why()).includes(kind), `${what}: ${kind} in ${await demo.why()}`);
+    await t.check(async () => (await demo.why()).includes(kind), async () => `${what}: ${kind} in ${await demo.why()}`);
     const why = demo.page.locator(`[data-testid="why"][data-kind="${kind}"]`);
-    const text = await why.textContent();
-    t.check(words.test(text), `${what}: ${words} in: ${text}`);
-    t.check(await why.isVisible(), `${what}: the message is in sight`);
-    t.equal(await demo.robot(), before, `${what}: where the robot stays`);
+    await t.check(async () => words.test(await why.textContent()), async () => `${what}: ${words} in: ${await why.textContent()}`);
+    await t.check(() => why.isVisible(), `${what}: the message is in sight`);
+    await t.equal(() => demo.robot(), before, `${what}: where the robot stays`);
     await t.fits(what);
   }
   await demo.ask('go to the blue room');
   await demo.finish();
-  t.equal((await demo.robot()).room, 'blue', 'the next command works');
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'the next command works');
 });
 
 flow('words that do not fit together, with a parser that does not guess', async (t) => {
@@ -39,6 +38,6 @@ flow('words that do not fit together, with a parser that does not guess', async 
   await demo.train();
   await demo.talk();
   await demo.ask('room the to the go');
-  t.check((await demo.why()).includes('no_parse'), `no_parse in ${await demo.why()}`);
-  t.equal(await demo.help('teach').count(), 1, 'help');
+  await t.check(async () => (await demo.why()).includes('no_parse'), async () => `no_parse in ${await demo.why()}`);
+  await t.equal(() => demo.help('teach').count(), 1, 'help');
 });

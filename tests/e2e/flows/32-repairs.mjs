@@ -9,19 +9,19 @@ const LOCKED = 3;
 flow('a thing that is not there is put there, and then told from another', async (t) => {
   const demo = await openPage(t);
   await demo.ask('put the red block in the green room');
-  t.equal(await demo.why(), ['no_referent'], 'why');
+  await t.equal(() => demo.why(), ['no_referent'], 'why');
   await demo.help('add', 'red block').click();
   await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
   await demo.finish();
-  t.check(/red block in the green room/.test(await demo.world()), await demo.world());
+  await t.check(async () => /red block in the green room/.test(await demo.world()), () => demo.world());
   await demo.ask('go to the block');
-  t.check(/2 things[^]*the yellow block and the red block/.test(await demo.by('why').textContent()), 'both are named');
+  await t.check(async () => /2 things[^]*the yellow block and the red block/.test(await demo.by('why').textContent()), 'both are named');
   await demo.help('show').click();
-  t.check((await demo.page.locator('[data-testid="word"].linked').count()) > 0, 'its words are pointed at');
+  await t.check(async () => (await demo.page.locator('[data-testid="word"].linked').count()) > 0, 'its words are pointed at');
   await demo.help('say', 'the yellow block').click();
   await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
-  t.equal(await demo.by('command').inputValue(), 'go to the yellow block', 'the command');
-  t.equal(await demo.why(), [], 'why');
+  await t.equal(() => demo.by('command').inputValue(), 'go to the yellow block', 'the command');
+  await t.equal(() => demo.why(), [], 'why');
 });
 
 flow('a word never seen is taken for one that is known, or taught', async (t) => {
@@ -30,17 +30,17 @@ flow('a word never seen is taken for one that is known, or taught', async (t) =>
   await demo.help('say', '“blue”').click();
   await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
   await demo.finish();
-  t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'where the robot ends');
   await demo.ask('fetch my slippers');
   await demo.help('teach').click();
-  t.equal(await demo.by('lesson').inputValue(), 'fetch my slippers', 'the words of the lesson');
-  t.equal(await demo.by('mode-teach').getAttribute('aria-pressed'), 'true', 'the room is for teaching');
+  await t.equal(() => demo.by('lesson').inputValue(), 'fetch my slippers', 'the words of the lesson');
+  await t.equal(() => demo.by('mode-teach').getAttribute('aria-pressed'), 'true', 'the room is for teaching');
 });
 
 flow('what is already so is answered with another room', async (t) => {
   const demo = await openPage(t);
   await demo.ask('go to the green room');
-  t.equal(await demo.why(), ['already_true'], 'why');
+  await t.equal(() => demo.why(), ['already_true'], 'why');
   const before = await demo.world();
   await demo.help('other-world').click();
   await t.until('another room', async () => (await demo.world()) !== before);
@@ -50,11 +50,11 @@ flow('what is out of reach: doors are opened, the robot may pull, other things m
   const demo = await openPage(t);
   const mended = async (help, command, goal) => {
     await demo.ask(command);
-    t.equal(await demo.why(), ['unreachable'], `why not “${command}”`);
+    await t.equal(() => demo.why(), ['unreachable'], `why not “${command}”`);
     await demo.help(help).click();
     await t.until(`a plan after ${help}`, async () => (await demo.by('plan').count()) > 0);
     await demo.finish();
-    t.check(goal.test(await demo.world()), `after ${help}: ${await demo.world()}`);
+    await t.check(async () => goal.test(await demo.world()), async () => `after ${help}: ${await demo.world()}`);
   };
   await demo.by('world').selectOption({ index: LOCKED });
   await mended('unlock', 'go to the blue room', /robot is in the blue room/);

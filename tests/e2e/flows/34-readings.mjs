@@ -9,15 +9,15 @@ flow('another reading is chosen, played, and taken back', async (t) => {
   await demo.deepen('see');
   await demo.ask('take the block to the green room');
   await demo.finish();
-  t.check((await demo.by('reading').count()) > 2, 'several readings');
-  t.equal(await demo.plain(), 'The block is in the green room.', 'the first');
+  await t.check(async () => (await demo.by('reading').count()) > 2, 'several readings');
+  await t.equal(() => demo.plain(), 'The block is in the green room.', 'the first');
   await demo.by('reading').nth(1).click();
   await t.until('it is planned for', async () => (await demo.plain()) === 'The object is in the green room.');
-  t.check(/less; differs in/.test(await demo.by('reading').nth(1).textContent()), 'what tells it from the first');
+  await t.check(async () => /less; differs in/.test(await demo.by('reading').nth(1).textContent()), 'what tells it from the first');
   await demo.finish();
-  t.check(/yellow block in the green room/.test(await demo.world()), 'the block is the object');
+  await t.check(async () => /yellow block in the green room/.test(await demo.world()), 'the block is the object');
   await demo.press('undo');
-  t.equal(await demo.plain(), 'The block is in the green room.', 'taken back');
+  await t.equal(() => demo.plain(), 'The block is in the green room.', 'taken back');
 });
 
 flow('words point at nodes, and a meaning is reduced step by step', async (t) => {
@@ -26,16 +26,16 @@ flow('words point at nodes, and a meaning is reduced step by step', async (t) =>
   await demo.ask('go to the blue room');
   await demo.by('features').waitFor();
   await demo.by('word').nth(3).hover();
-  t.check((await demo.page.locator('.proof-node.linked').count()) > 0, 'the word’s node');
+  await t.check(async () => (await demo.page.locator('.proof-node.linked').count()) > 0, 'the word’s node');
   await demo.page.locator('.proof-node').last().click();
   await demo.press('reduce');
-  t.equal(await demo.by('reduction').locator('li').count(), 2, 'one step on');
+  await t.equal(() => demo.by('reduction').locator('li').count(), 2, 'one step on');
   await demo.press('reduce-all');
-  t.check(await demo.by('reduce').isDisabled(), 'all steps are shown');
-  t.check(/^[\d.]+$/.test(await demo.by('study-score').textContent()), 'the score');
+  await t.check(() => demo.by('reduce').isDisabled(), 'all steps are shown');
+  await t.check(async () => /^[\d.]+$/.test(await demo.by('study-score').textContent()), 'the score');
   await demo.page.locator('.proof-node').last().focus();
   await demo.page.keyboard.press('ArrowUp');
-  t.check(await demo.page.evaluate(() => document.activeElement.getAttribute('role') === 'treeitem'), 'keys walk the tree');
+  await t.check(() => demo.page.evaluate(() => document.activeElement.getAttribute('role') === 'treeitem'), 'keys walk the tree');
   await t.shot('study');
 });
 
@@ -47,6 +47,6 @@ flow('with doors that may lock, the policy is tried many times', async (t) => {
   await demo.finish();
   await demo.press('try-many');
   await t.until('all runs', async () => (await demo.by('runs').getAttribute('data-runs')) === '500');
-  t.check(/of 500 runs got there/.test(await demo.by('runs').textContent()), 'in words');
-  t.check(/LRTDP|Value iteration/.test(await demo.by('solver-name').textContent()), 'the solver');
+  await t.check(async () => /of 500 runs got there/.test(await demo.by('runs').textContent()), 'in words');
+  await t.check(async () => /LRTDP|Value iteration/.test(await demo.by('solver-name').textContent()), 'the solver');
 });

@@ -10,22 +10,22 @@ flow('a phrase is taught by dragging, used, saved and forgotten', async (t) => {
   const demo = await openPage(t);
   await demo.mode('teach');
   await demo.press('teach');
-  t.check(/Nothing is shown yet/.test(await demo.by('missing').textContent()), 'what is missing');
+  await t.check(async () => /Nothing is shown yet/.test(await demo.by('missing').textContent()), 'what is missing');
   await demo.drag([6, 2], [2, 6]);
   await demo.by('lesson').fill('flump to the blue room');
   const start = Date.now();
   await demo.press('teach');
   await demo.by('learned').waitFor();
   t.note(`taught, model loaded and all: ${Date.now() - start} ms`);
-  t.check((await demo.by('added').count()) > 0, 'new entries are shown');
-  t.equal((await demo.robot()).room, 'green', 'the room is as it was');
+  await t.check(async () => (await demo.by('added').count()) > 0, 'new entries are shown');
+  await t.equal(async () => (await demo.robot()).room, 'green', 'the room is as it was');
   await demo.press('ask');
   await demo.answered('the lesson');
   await demo.finish();
-  t.equal((await demo.robot()).room, 'blue', 'the lesson is done');
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'the lesson is done');
   await demo.ask('flump to the red room');
   await demo.finish();
-  t.equal((await demo.robot()).room, 'red', 'and what was never shown');
+  await t.equal(async () => (await demo.robot()).room, 'red', 'and what was never shown');
   await t.accessible('a lesson');
   await t.shot('taught');
 
@@ -35,7 +35,7 @@ flow('a phrase is taught by dragging, used, saved and forgotten', async (t) => {
     const file = path.join(folder, 'taught.jsonl');
     await writeFile(file, corpus);
     const { status, stderr } = await t.groundling('train', '--corpus', file, '--out', path.join(folder, 'a.model'));
-    t.equal(status, 0, stderr);
+    await t.equal(status, 0, stderr);
   } finally {
     await rm(folder, { recursive: true });
   }
@@ -43,7 +43,7 @@ flow('a phrase is taught by dragging, used, saved and forgotten', async (t) => {
   await demo.press('unteach');
   await t.until('nothing is taught', async () => (await demo.by('lessons').count()) === 0);
   await demo.ask('flump to the blue room');
-  t.check((await demo.why()).includes('unknown_words'), `forgotten: ${await demo.why()}`);
+  await t.check(async () => (await demo.why()).includes('unknown_words'), async () => `forgotten: ${await demo.why()}`);
   await demo.press('undo');
   await demo.press('undo');
   await demo.by('lessons').waitFor();
@@ -55,11 +55,11 @@ flow('a phrase is taught with the arrow keys', async (t) => {
   await demo.keys('ArrowUp', 'ArrowRight', 'ArrowUp');
   await demo.says(/doorway/);
   await demo.keys('ArrowUp', 'r');
-  t.equal((await demo.robot()).room, 'red', 'driven');
+  await t.equal(async () => (await demo.robot()).room, 'red', 'driven');
   await demo.by('lesson').fill('hop over to the red room');
   await demo.by('lesson').press('Enter');
   await demo.by('learned').waitFor();
   await demo.ask('hop over to the blue room');
   await demo.finish();
-  t.equal((await demo.robot()).room, 'blue', 'what was never shown');
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'what was never shown');
 });

@@ -5,10 +5,10 @@ import { openPage } from '../page.mjs';
 
 flow('every tool changes the room, and says what is in the way', async (t) => {
   const demo = await openPage(t);
-  const holds = async (pattern) => t.check(pattern.test(await demo.world()), `${pattern} in: ${await demo.world()}`);
+  const holds = async (pattern) => t.check(async () => pattern.test(await demo.world()), async () => `${pattern} in: ${await demo.world()}`);
   const refused = async (pattern) => {
     await demo.by('obstacle').waitFor();
-    t.check(pattern.test(await demo.by('obstacle').textContent()), await demo.by('obstacle').textContent());
+    await t.check(async () => pattern.test(await demo.by('obstacle').textContent()), () => demo.by('obstacle').textContent());
   };
   await demo.mode('edit');
   await demo.drag([8, 6], [8, 2]);
@@ -30,7 +30,7 @@ flow('every tool changes the room, and says what is in the way', async (t) => {
   await demo.tap([6, 6]);
   await holds(/Rooms: blue and green\./);
   await demo.tap([2, 2]);
-  t.check(!/chair/.test(await demo.world()), 'the chair is gone');
+  await t.check(async () => !/chair/.test(await demo.world()), 'the chair is gone');
   await demo.tap([6, 2]);
   await refused(/robot stays/);
 
@@ -85,10 +85,10 @@ flow('random rooms are those of their seed', async (t) => {
   await demo.by('world-rooms').fill('5');
   await demo.by('world-columns').fill('15');
   const eight = await draw(8);
-  t.check(/Rooms: \w+, \w+, \w+, \w+ and \w+\./.test(eight), `five rooms: ${eight}`);
+  await t.check(/Rooms: \w+, \w+, \w+, \w+ and \w+\./.test(eight), `five rooms: ${eight}`);
   await demo.by('world-rooms').fill('3');
   await demo.by('world-columns').fill('9');
-  t.equal(await draw(7), seven, 'the room of seed 7');
+  await t.equal(await draw(7), seven, 'the room of seed 7');
 });
 
 flow('a room goes out as text and comes back; bad text is refused in place', async (t) => {
@@ -105,12 +105,12 @@ flow('a room goes out as text and comes back; bad text is refused in place', asy
     await demo.press('apply-text');
     await demo.by('world-notice').waitFor();
     await t.until(`${message}`, async () => message.test(await demo.by('world-notice').textContent()));
-    t.equal(await demo.world(), before, 'the room');
-    t.equal(await drawing.inputValue(), bad, 'the text stays to be mended');
+    await t.equal(() => demo.world(), before, 'the room');
+    await t.equal(() => drawing.inputValue(), bad, 'the text stays to be mended');
   }
   await drawing.fill(text.replace('block yellow', 'chair orange'));
   await demo.press('apply-text');
   await t.until('the room of the text', async () => /orange chair in the red room/.test(await demo.world()));
   await demo.press('undo');
-  t.equal(await demo.world(), before, 'undone');
+  await t.equal(() => demo.world(), before, 'undone');
 });

@@ -30,19 +30,19 @@ flow('everything is undone to the first view, and done again', async (t) => {
       await demo.press(button);
       // What comes of it: the plan of what was said is not played anew.
       seen.push(await signature());
-      t.check(seen.length < 20, `${button} ends`);
+      await t.check(seen.length < 20, `${button} ends`);
     }
     return seen;
   };
   await demo.mode('watch');
   const back = await walk('undo');
-  t.equal(back.at(-1), first, 'the first view');
-  t.check(back.length >= 6, `${back.length - 1} things were done`);
+  await t.equal(back.at(-1), first, 'the first view');
+  await t.check(back.length >= 6, `${back.length - 1} things were done`);
   const forth = await walk('redo');
-  t.equal(forth.at(-1)[3], ['schlep the block to the green room'], 'the lesson is back');
-  t.equal(forth.slice(1, -1), back.toReversed().slice(1, -1), 'the same way forth');
+  await t.equal(forth.at(-1)[3], ['schlep the block to the green room'], 'the lesson is back');
+  await t.equal(forth.slice(1, -1), back.toReversed().slice(1, -1), 'the same way forth');
   await demo.ask('schlep the block to the red room');
   await demo.planned();
   await demo.finish();
-  t.check(/block in the red room/.test(await demo.world()), 'what was taught works still');
+  await t.check(async () => /block in the red room/.test(await demo.world()), 'what was taught works still');
 });

@@ -30,17 +30,18 @@ async function seen(demo) {
 
 /** Waits until another page shows the same. */
 async function same(t, demo, other) {
+  await demo.redrawn();
   const wanted = await seen(demo);
   await t.until('the second reading', async () => (await other.plain()) === wanted.plain);
   await other.finish();
-  t.equal(await seen(other), wanted, 'what came over');
+  await t.equal(() => seen(other), wanted, 'what came over');
 }
 
 flow('a link brings everything to a fresh browser', async (t) => {
   const demo = await busy(t);
   await demo.by('link').waitFor();
+  await t.check(async () => (await demo.by('link').inputValue()).startsWith(`${t.address}#s=`), 'the link is of this page');
   const link = await demo.by('link').inputValue();
-  t.check(link.startsWith(`${t.address}#s=`), 'the link is of this page');
   t.note(`the link has ${link.length} characters`);
   const context = await t.context.browser().newContext();
   try {
@@ -68,14 +69,14 @@ flow('damaged links and files say so, and change nothing', async (t) => {
   for (const hash of ['#s=', '#s=%%%', '#s=AAAA', `#s=${'A'.repeat(20_000)}`]) {
     await demo.page.evaluate((to) => { location.hash = to; }, hash);
     await demo.by('link-notice').waitFor();
-    t.check(/cannot be opened/.test(await demo.by('link-notice').textContent()), hash.slice(0, 9));
-    t.equal(await demo.world(), before, 'the room');
+    await t.check(async () => /cannot be opened/.test(await demo.by('link-notice').textContent()), hash.slice(0, 9));
+    await t.equal(() => demo.world(), before, 'the room');
     await demo.press('close-share');
   }
   for (const session of ['{"groundling-session":99}', '{"groundling-session":1,"world":{}}']) {
     await demo.drop('groundling.json', session);
     await demo.by('link-notice').waitFor();
-    t.equal(await demo.world(), before, 'the room');
+    await t.equal(() => demo.world(), before, 'the room');
     await demo.press('close-share');
   }
   await t.accessible('after damaged links');

@@ -20,14 +20,14 @@ flow('training is cancelled, and answers at once', async (t) => {
   await t.until('progress goes on', async () => (await demo.by('progress').textContent()) !== first);
   await demo.press('cancel');
   await demo.by('model-notice').waitFor();
-  t.check(/stopped/.test(await demo.by('model-notice').textContent()), 'it says so');
-  t.check((await demo.model()) === model, 'the model of before is kept');
+  await t.check(async () => /stopped/.test(await demo.by('model-notice').textContent()), 'it says so');
+  await t.check(async () => (await demo.model()) === model, 'the model of before is kept');
   await demo.press('train');
   await demo.by('progress').waitFor();
   await t.accessible('training');
   await demo.talk();
   await demo.ask('go to the blue room');
-  t.equal(await demo.plain(), 'The robot is in the blue room.', 'it answers while it trains');
+  await t.equal(() => demo.plain(), 'The robot is in the blue room.', 'it answers while it trains');
 });
 
 flow('the engine is killed while it plans, and started again', async (t) => {
@@ -44,19 +44,19 @@ flow('the engine is killed while it plans, and started again', async (t) => {
   await demo.by('engine-stopped').waitFor({ timeout: 30_000 });
   await t.accessible('an engine that has stopped');
   await t.shot('engine-stopped');
-  t.equal(await demo.world(), world, 'the room');
-  t.equal(await demo.by('command').inputValue(), 'put the block in the blue room', 'the command');
+  await t.equal(() => demo.world(), world, 'the room');
+  await t.equal(() => demo.by('command').inputValue(), 'put the block in the blue room', 'the command');
   await demo.press('restart-engine');
   await demo.ready();
-  t.equal(await demo.by('engine-stopped').count(), 0, 'messages');
+  await t.equal(() => demo.by('engine-stopped').count(), 0, 'messages');
   await demo.press('ask');
   await demo.answered('the command');
   await demo.finish();
-  t.check(/yellow block in the blue room/.test(await demo.world()), 'and it is done');
+  await t.check(async () => /yellow block in the blue room/.test(await demo.world()), 'and it is done');
   await demo.press('undo');
-  t.equal(await demo.world(), world, 'the command is undone');
+  await t.equal(() => demo.world(), world, 'the command is undone');
   await demo.press('undo');
-  t.check(await demo.world() !== world, 'what was changed before is undone, too');
+  await t.check(async () => await demo.world() !== world, 'what was changed before is undone, too');
 });
 
 flow('the engine that learns is killed while it is taught', async (t) => {
@@ -71,12 +71,12 @@ flow('the engine that learns is killed while it is taught', async (t) => {
     learner.dispatchEvent(new ErrorEvent('error', { message: 'an invented end' }));
   });
   await demo.by('engine-stopped').waitFor();
-  t.check(/an invented end/.test(await demo.by('engine-report').textContent()), 'how it ended');
-  t.equal(await demo.by('lesson').inputValue(), 'scurry to the blue room', 'the words');
-  t.equal((await demo.robot()).room, 'blue', 'what was shown');
+  await t.check(async () => /an invented end/.test(await demo.by('engine-report').textContent()), 'how it ended');
+  await t.equal(() => demo.by('lesson').inputValue(), 'scurry to the blue room', 'the words');
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'what was shown');
   await demo.press('restart-engine');
   await t.until('the engine is back', async () => (await demo.by('engine-stopped').count()) === 0);
   await demo.press('teach');
   await demo.by('learned').waitFor();
-  t.equal((await demo.robot()).room, 'green', 'the room is as it was before the demonstration');
+  await t.equal(async () => (await demo.robot()).room, 'green', 'the room is as it was before the demonstration');
 });

@@ -18,7 +18,7 @@ async function drawnBy(demo, backend) {
 async function goesToTheBlueRoom(demo) {
   await demo.ask('go to the blue room');
   await demo.played();
-  demo.t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
+  await demo.t.equal(async () => (await demo.robot()).room, 'blue', 'where the robot ends');
 }
 
 /** Takes the GPU away from the canvas that is shown. */
@@ -29,7 +29,7 @@ flow('the picture is the golden one at the start, with values and policy, and wh
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
   const stage = demo.by('stage');
-  t.check(colours(await stage.screenshot()) > 20, 'a picture of many colours');
+  await t.check(async () => colours(await stage.screenshot()) > 20, 'a picture of many colours');
   await t.golden('start', stage);
   await demo.deepen('see');
   await demo.ask('put the yellow block in the biggest room');
@@ -52,23 +52,25 @@ for (const ratio of [1, 1.5, 3]) {
   flow(`the picture is crisp at ${ratio} device pixels a pixel`, { deviceScaleFactor: ratio }, async (t) => {
     const demo = await openPage(t);
     await drawnBy(demo, 'webgl2');
-    const [width, shown] = await demo.by('stage').locator('canvas').evaluate((canvas) =>
+    const widths = () => demo.by('stage').locator('canvas').evaluate((canvas) =>
       [canvas.width, canvas.getBoundingClientRect().width]);
-    t.check(Math.abs(width - shown * ratio) <= 1, `${width} pixels for ${shown} at ${ratio}`);
+    const isCrisp = ([width, shown]) => Math.abs(width - shown * ratio) <= 1;
+    await t.check(async () => isCrisp(await widths()), async () => `pixels and width at ${ratio}: ${await widths()}`);
   });
 }
 
 flow('steps glide', GLIDING, async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
-  t.check((await stillness(demo)).includes('false'), 'the picture moves between steps');
+  const seen = await stillness(demo);
+  await t.check(seen.includes('false'), `the picture moves between steps: ${seen}`);
 });
 
 flow('steps jump for who prefers less motion', async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
   const seen = await stillness(demo);
-  t.check(!seen.includes('false'), `the picture never moves between steps: ${seen}`);
+  await t.check(!seen.includes('false'), `the picture never moves between steps: ${seen}`);
 });
 
 /** Whether the picture was still, each time that this changed while a plan was played. */
@@ -93,12 +95,12 @@ flow('a GPU that goes away while the robot moves is replaced, and in the end don
   await t.until('a fresh canvas', async () =>
     demo.by('stage').locator('canvas').evaluate((canvas) => !canvas.getContext('webgl2')?.isContextLost()));
   await drawnBy(demo, 'webgl2');
-  t.check(colours(await demo.by('stage').screenshot()) > 20, 'drawn again');
+  await t.check(async () => colours(await demo.by('stage').screenshot()) > 20, 'drawn again');
   await lose(demo);
   await drawnBy(demo, 'svg');
-  t.check(colours(await demo.by('stage').screenshot()) > 20, 'drawn by the page itself');
+  await t.check(async () => colours(await demo.by('stage').screenshot()) > 20, 'drawn by the page itself');
   await demo.played();
-  t.check(/yellow block in the blue room/.test(await demo.world()), 'the plan was played all the while');
+  await t.check(async () => /yellow block in the blue room/.test(await demo.world()), 'the plan was played all the while');
   await t.accessible('a page without a GPU');
   await t.shot('no-gpu');
 });

@@ -7,14 +7,14 @@ flow('the keyboard alone asks, plays and steps', async (t) => {
   const demo = await openPage(t);
   const { keyboard } = demo.page;
   await keyboard.press('Tab');
-  t.equal(await demo.page.evaluate(() => document.activeElement.className), 'skip', 'the first stop');
+  await t.equal(() => demo.page.evaluate(() => document.activeElement.className), 'skip', 'the first stop');
   await keyboard.press('Enter');
   await demo.reach('command');
   await keyboard.type('go to the blue room');
   await keyboard.press('Enter');
   await demo.by('plan').waitFor();
   await demo.finish();
-  t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'where the robot ends');
   await demo.reach('plan-first');
   await keyboard.press('Enter');
   await t.until('back at the start', async () => (await demo.by('plan').getAttribute('data-at')) === '0');
@@ -22,13 +22,13 @@ flow('the keyboard alone asks, plays and steps', async (t) => {
 
 flow('the page speaks German where the browser does', { locale: 'de-DE' }, async (t) => {
   const demo = await openPage(t);
-  t.equal(await demo.page.locator('html').getAttribute('lang'), 'de', 'the language');
+  await t.equal(() => demo.page.locator('html').getAttribute('lang'), 'de', 'the language');
   await demo.ask('go to the blue room');
   await demo.finish();
-  t.equal(await demo.plain(), 'Der Roboter ist im blauen Raum.', 'in plain words');
+  await t.equal(() => demo.plain(), 'Der Roboter ist im blauen Raum.', 'in plain words');
   await t.accessible('the page in German');
   await t.fits('the page in German');
   await t.shot('german');
   await demo.by('language').selectOption('en');
-  t.equal(await demo.plain(), 'The robot is in the blue room.', 'in English');
+  await t.equal(() => demo.plain(), 'The robot is in the blue room.', 'in English');
 });

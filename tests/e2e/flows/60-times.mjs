@@ -59,7 +59,7 @@ async function answers(page, requests) {
     await next();
     const all = [];
     // The third byte is the kind: news of planning, or of runs, are no answers.
-    const isNews = (said) => said[2] === 11 || said[2] === 14;
+    const isNews = (said) => said[2] === 12 || said[2] === 15;
     for (const message of messages) {
       const start = performance.now();
       engine.postMessage(Uint8Array.from(message));
@@ -98,14 +98,14 @@ flow('times of planning', async (t) => {
   const rounds = await answers((await openPage(t)).page, Array(10).fill(requests).flat());
   const [shortest, sure, chancy, runs] = rounds;
   const taken = (nth) => [rounds[nth], rounds.at(nth - 4)].map((one) => `${one.taken.toFixed(0)} ms`).join(', then ');
-  t.equal([shortest.said.kind, shortest.said.first], ['planned', 29], 'the plan and its length');
+  await t.equal([shortest.said.kind, shortest.said.first], ['planned', 29], 'the plan and its length');
   t.note(`three objects to three rooms: ${taken(0)}`);
-  t.check(sure.said.kind === 'values' && sure.said.first > 0, 'cells are worth something');
+  await t.check(sure.said.kind === 'values' && sure.said.first > 0, 'cells are worth something');
   t.note(`what the cells are worth: ${taken(1)}`);
-  t.equal(chancy.said.kind, 'planned', 'a plan for what may happen');
+  await t.equal(chancy.said.kind, 'planned', 'a plan for what may happen');
   t.note(`the same behind doors that lock: ${taken(2)}`);
   const { kind, first, second } = runs.said;
-  t.equal([kind, first], ['rolled_out', 1000], 'all runs');
-  t.check(second > 200 && second < 300, `both doors open in one of four worlds, not ${second} of 1,000`);
+  await t.equal([kind, first], ['rolled_out', 1000], 'all runs');
+  await t.check(second > 200 && second < 300, `both doors open in one of four worlds, not ${second} of 1,000`);
   t.note(`a thousand runs of that policy: ${taken(3)}`);
 });

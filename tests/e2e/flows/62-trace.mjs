@@ -77,7 +77,7 @@ flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, 
   const typing = await traced(page, () =>
     page.keyboard.type('put the yellow block in the biggest room', { delay: 80 }));
   const readings = (await page.evaluate(() => globalThis.readings)).sort((a, b) => a - b);
-  t.check(readings.length > 5, `${readings.length} readings while typing`);
+  await t.check(readings.length > 5, `${readings.length} readings while typing`);
   const [median, most] = [readings[Math.floor(readings.length / 2)], readings.at(-1)];
   t.note(`key press to reading: ${median.toFixed(0)} ms (median), ${most.toFixed(0)} ms (longest of ${readings.length})`);
   t.note(`typing: ${told(typing)}`);
@@ -96,7 +96,7 @@ flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, 
       .observe(plan, { attributes: true });
   })));
   const { frames } = playing;
-  t.check(frames.length > 0, 'frames were drawn');
+  await t.check(frames.length > 0, 'frames were drawn');
   t.note(`playing with values and arrows: a frame ${(cpu(frames) / frames.length).toFixed(1)} ms of CPU, at most `
     + `${Math.max(...frames.map((frame) => frame.cpu)).toFixed(1)} ms (${frames.length} frames)`);
   t.note(`playing: ${cpu(playing.tasks).toFixed(0)} ms of CPU in all; ${told(playing)}`);

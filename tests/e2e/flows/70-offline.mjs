@@ -17,16 +17,16 @@ flow('the page works offline after one visit', { serviceWorkers: 'allow' }, asyn
     await navigator.serviceWorker.ready;
     return caches.keys();
   });
-  t.equal(stores, [`groundling ${site.address}`], 'what is kept');
+  await t.equal(stores, [`groundling ${site.address}`], 'what is kept');
   await site.close();
   await t.context.setOffline(true);
   await demo.page.reload();
   await demo.ready();
   await demo.ask('go to the blue room');
   await demo.finish();
-  t.equal((await demo.robot()).room, 'blue', 'where the robot ends');
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'where the robot ends');
   await demo.ask('go to the violet room');
-  t.equal(await demo.why(), ['taken', 'already_true'], 'what is said of a shade');
+  await t.equal(() => demo.why(), ['taken', 'already_true'], 'what is said of a shade');
   await t.until('the picture is drawn by the GPU', async () =>
     (await demo.by('stage').getAttribute('data-backend')) === 'webgl2');
   await demo.workbench();
@@ -45,14 +45,14 @@ flow('a new site takes the place of the one that was kept', { serviceWorkers: 'a
       await navigator.serviceWorker.ready;
       return await caches.match(new URL(file, document.baseURI)) !== undefined;
     }, name);
-    t.check(await kept('icon.svg'), 'the first icon is kept');
+    await t.check(() => kept('icon.svg'), 'the first icon is kept');
     const index = path.join(folder, 'index.html');
     await cp(path.join(folder, 'icon.svg'), path.join(folder, 'icon-2.svg'));
     await writeFile(index, (await readFile(index, 'utf8')).replace(/icon\.svg/g, 'icon-2.svg'));
     await demo.page.reload();
     await t.until('the second icon is kept, and the first is not', async () =>
       await kept('icon-2.svg') && !await kept('icon.svg'));
-    t.check(await kept('learner_bg.wasm'), 'and what is wanted later');
+    await t.check(() => kept('learner_bg.wasm'), 'and what is wanted later');
   } finally {
     await site.close();
     await rm(folder, { recursive: true });

@@ -5,7 +5,7 @@ use super::{six, train_from};
 use crate::ccg::model_over;
 use crate::logic::cases;
 use groundling::ccg::{ChartConfig, Model, parse};
-use groundling::corpus::{Example, Form, Options, read};
+use groundling::corpus::{Example, Options, read};
 use groundling::ground::ONTOLOGY;
 use groundling::learn::{CLEANUP_LEXICON, Config, seed_model};
 use groundling::logic::print_human;
@@ -13,7 +13,7 @@ use groundling::logic::print_human;
 /// The project's six commands and twenty-four of the crowd's.
 fn thirty() -> Vec<Example> {
     let crowd = include_bytes!("../../data/corpus/crowd-learn.csv");
-    let (crowd, flaws) = read(Form::Csv, &crowd[..], Options::default());
+    let (crowd, flaws) = read(&crowd[..], Options::default());
     assert!(flaws.is_empty(), "{flaws:?}");
     six().into_iter().chain(crowd.examples).collect()
 }

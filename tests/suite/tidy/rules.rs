@@ -260,6 +260,29 @@ pub(super) fn names_no_machine(file: &File) -> Vec<String> {
     complaints
 }
 
+/// Says so when a flow checks what it has looked at once, before the page may have redrawn: a check is given how to look,
+/// and is awaited.
+pub(super) fn flows_wait(file: &File) -> Vec<String> {
+    if !file.path.starts_with("tests/e2e/flows/") {
+        return Vec::new();
+    }
+    let mut complaints = Vec::new();
+    for (index, line) in file.text.lines().enumerate() {
+        for (at, call) in ["t.check(", "t.equal("].iter().flat_map(|call| line.match_indices(call))
+        {
+            let (before, after) = (&line[..at], &line[at + call.len()..]);
+            let before = before.trim_end_matches("demo.");
+            let is_awaited = ["await ", "=> ", "return "].iter().any(|word| before.ends_with(word));
+            let looks_once = after.trim_start_matches('(').starts_with("await ");
+            // A draw is an action, and not to be done again.
+            if !is_awaited || looks_once && !after.contains("await draw(") {
+                complaints.push(format!("line {}: this check does not wait", index + 1));
+            }
+        }
+    }
+    complaints
+}
+
 /// Says so when a crate of the browser is linked natively.
 pub(super) fn browser_crates_are_wasm_only(file: &File) -> Vec<String> {
     const BROWSER: [&str; 6] = ["wasm-bindgen", "web-sys", "js-sys", "yew", "wgpu", "gloo"];

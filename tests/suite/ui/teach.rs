@@ -140,16 +140,8 @@ fn lessons_are_saved_as_a_corpus_that_the_project_reads() {
     page.act(talk::Action::SaveLessons);
     let [Effect::Save { name, text }] = page.others.as_slice() else { panic!() };
     assert_eq!(name, "taught.jsonl");
-    let form = groundling::corpus::Form::of_name(name);
-    let rows = groundling::corpus::Rows::new(
-        form,
-        std::io::Cursor::new(text.clone().into_bytes()),
-        groundling::corpus::Options::default(),
-    );
-    let mut corpus = groundling::corpus::Corpus::default();
-    for row in rows.expect("it is a corpus") {
-        assert!(corpus.add(row).is_empty());
-    }
+    let (corpus, flaws) = groundling::corpus::read(text.as_bytes(), Default::default());
+    assert_eq!(flaws, []);
     assert_eq!(corpus.examples[0].command, "scoot over");
     assert_eq!(corpus.examples[0].pairs[0].pre, world());
 }
@@ -158,10 +150,8 @@ fn lessons_are_saved_as_a_corpus_that_the_project_reads() {
 fn a_new_model_is_taught_the_same_lessons() {
     let mut page = learned();
     page.answer(Event::Answer(Box::new(super::failed("scoot over", "no_parse"))));
-    page.act(Action::Offered(Offered {
-        name: "other.model".to_owned(),
-        text: Ok("another".to_owned()),
-    }));
+    let offered = Offered { name: "other.model".to_owned(), bytes: Ok(b"another".to_vec()) };
+    page.act(Action::Offered(vec![offered]));
     assert_eq!(page.asked(), &Request::OpenModel { text: "another".to_owned() });
     page.answer(Event::Opened(model("another")));
     let Request::Teach { model: base, examples } = page.asked() else { panic!() };

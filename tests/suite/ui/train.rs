@@ -27,7 +27,7 @@ fn bench(rows: usize) -> Page {
 
 /// A file was dropped.
 fn offered(name: &str, text: Result<&str, Fault>) -> Action {
-    Action::Offered(Offered { name: name.to_owned(), text: text.map(str::to_owned) })
+    Action::Offered(vec![Offered { name: name.to_owned(), bytes: text.map(Into::into) }])
 }
 
 fn can_train(page: &Page) -> bool {
@@ -40,7 +40,9 @@ fn the_workbench_opens_with_the_six_sentences_and_their_pictures() {
     page.act(Action::Go(View::Train));
     assert!(page.posted.is_empty(), "the engine that learns is only now loaded");
     page.hear(Program::Learner, 0, Event::Ready);
-    assert!(matches!(page.asked(), Request::ReadCorpus { text, .. } if text == DEMO));
+    assert!(
+        matches!(page.asked(), Request::ReadCorpus { files, .. } if files[0].bytes == DEMO.as_bytes())
+    );
     page.answer(Event::Corpus(report("six.csv", 6)));
     for row in 0..6 {
         assert_eq!(page.asked(), &Request::ShowRow { row });
@@ -119,7 +121,7 @@ fn a_bad_file_loses_nothing() {
     page.act(offered("good.csv", Ok("y")));
     page.answer(Event::Corpus(report("good.csv", 200)));
     let corpus = page.state.train.corpus.as_ref().expect("a corpus is open");
-    assert_eq!((&*corpus.text, corpus.shown), ("y", PAGE));
+    assert_eq!((&*corpus.files[0].bytes, corpus.shown), (&b"y"[..], PAGE));
     assert_eq!(notice(&page), None);
     assert!(page.posted.is_empty(), "pictures of a large corpus come when a row is opened");
     page.act(train::Action::ToggleRow(7));
@@ -135,7 +137,65 @@ fn the_learner_is_started_again_with_its_corpus() {
     assert!(page.can_ask(), "the other engine goes on");
     page.act(Action::RestartEngine(Program::Learner));
     page.hear(Program::Learner, 0, Event::Ready);
-    assert!(matches!(page.asked(), Request::ReadCorpus { text, .. } if text == DEMO));
+    assert!(
+        matches!(page.asked(), Request::ReadCorpus { files, .. } if files[0].bytes == DEMO.as_bytes())
+    );
+}
+
+#[test]
+fn files_that_are_dropped_together_are_one_corpus() {
+    let mut page = bench(6);
+    let file = |name: &str, text: &str| Offered { name: name.to_owned(), bytes: Ok(text.into()) };
+    let model = file("a.model", "\u{feff}groundling model");
+    page.act(Action::Offered(vec![file("a.csv", "x"), model, file("b.json", "y")]));
+    let models: Vec<&Request> = page.posted.iter().map(|(.., request)| request).collect();
+    let open = Request::OpenModel { text: "groundling model".to_owned() };
+    assert!(models.contains(&&open), "without its byte-order mark: {models:?}");
+    let Request::ReadCorpus { files, with_rejected: false } = page.asked() else { panic!() };
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names, ["a.csv", "b.json"]);
+
+    let too_large = Offered { name: "big.csv".to_owned(), bytes: Err(Fault::TooLarge) };
+    page.posted.clear();
+    page.act(Action::Offered(vec![file("a.csv", "x"), too_large]));
+    assert!(page.posted.is_empty(), "where one cannot be read, none is");
+    let not_text = Offered { name: "a.model".to_owned(), bytes: Ok(b"groundling\n\xff".to_vec()) };
+    page.act(Action::Offered(vec![not_text]));
+    let notice = page.state.train.file_notice.as_ref().map(|notice| notice.message.clone());
+    assert!(notice.is_some_and(|message| message.contains("first seen in line 2")));
+}
+
+#[test]
+fn rejected_rows_are_used_when_a_person_says_so() {
+    let mut page = bench(6);
+    page.act(offered("all.csv", Ok("x")));
+    page.answer(Event::Corpus(CorpusReport { rejected: 3, ..report("all.csv", 0) }));
+    assert!(page.state.train.file_notice.as_ref().is_some_and(|n| n.rejected.len() == 1));
+    page.act(train::Action::UseRejected);
+    let asked = |page: &Page| match page.asked() {
+        Request::ReadCorpus { files, with_rejected } => (files[0].bytes.clone(), *with_rejected),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(asked(&page), (b"x".to_vec(), true));
+    page.answer(Event::Corpus(CorpusReport { rejected: 1, ..report("some.csv", 20) }));
+    page.act(train::Action::UseRejected);
+    assert_eq!(asked(&page), (b"x".to_vec(), true), "the corpus that is open, read again");
+}
+
+#[test]
+fn reading_shows_how_far_it_is_and_can_be_stopped() {
+    let mut page = bench(6);
+    let before = page.state.train.corpus.clone();
+    page.act(offered("long.csv", Ok("x")));
+    let (program, id, _) = page.posted.last().cloned().expect("it is being read");
+    page.hear(program, id, Event::Reading { done: 1, of: 4 });
+    assert_eq!(page.state.train.reading, Some((1, 4)));
+    page.act(train::Action::StopReading);
+    assert_eq!(page.posted.pop(), Some((program, id, Request::Cancel)));
+    page.answer(Event::Cancelled);
+    assert_eq!((page.state.train.reading, &page.state.train.corpus), (None, &before));
+    let notice = page.state.train.file_notice.as_ref().map(|notice| notice.message.clone());
+    assert!(notice.is_some_and(|message| message.contains("stopped")));
 }
 
 #[test]
@@ -147,10 +207,9 @@ fn a_file_is_what_it_says() {
         ("a.json", "{\"groundling-session\":1}", Kind::Session),
         ("a.jsonl", "{\"command\":\"go\"}", Kind::Corpus),
     ] {
-        assert_eq!(files::kind(name, text), kind, "{name}");
+        assert_eq!(files::kind(name, text.as_bytes()), kind, "{name}");
     }
     assert_eq!(files::admit(0.0), Err(Fault::Empty));
     assert_eq!(files::admit(1e9), Err(Fault::TooLarge));
     assert_eq!(files::admit(1e6), Ok(()));
-    assert_eq!(files::decode(b"a\nb\xff".to_vec()), Err(Fault::NotText(2)));
 }

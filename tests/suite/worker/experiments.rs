@@ -6,7 +6,7 @@ use groundling::domain::State;
 use groundling::learn::experiment::{By, Event as Step, Running, cross};
 use groundling::learn::{CLEANUP_LEXICON, Config, Ties, seed_model};
 use groundling::worker::protocol::{
-    CorpusText, Event, Experiment, ExperimentReport, Request, RunPart,
+    CorpusFile, Event, Experiment, ExperimentReport, Request, RunPart,
 };
 use groundling::worker::{Engine, Learner};
 use std::sync::Arc;
@@ -21,8 +21,8 @@ fn three_folds() -> Experiment {
     Experiment::Cross { folds: 3, by: By::Command }
 }
 
-fn six_again() -> CorpusText {
-    CorpusText { name: "six.csv".to_owned(), text: SIX.to_owned() }
+fn six_again() -> CorpusFile {
+    CorpusFile { name: "six.csv".to_owned(), bytes: SIX.into() }
 }
 
 /// What an experiment finds, after it has told its way.
@@ -149,11 +149,11 @@ fn what_cannot_be_run_is_refused_in_words() {
     }
     let headers = SIX.lines().next().unwrap();
     for (text, wanted) in [
-        ("", "The test file cannot be read"),
+        ("", "No row of the test file can be used: the file is empty"),
         (headers, "No row of the test file can be used"),
         (&SIX.replace("{\"\"agent\"\"", "{\"\"agnt\"\""), "No row of the test file can be used"),
     ] {
-        let test = CorpusText { name: "test.csv".to_owned(), text: text.to_owned() };
+        let test = CorpusFile { name: "test.csv".to_owned(), bytes: text.into() };
         let table = Experiment::Table3 { test, budget: 1 };
         let said = refused(&mut engine, experiment(table, 1));
         assert!(said.starts_with(wanted), "{said}");

@@ -6,7 +6,7 @@ use groundling::domain::{Blueprint, Color, Direction, Shape, Size};
 use groundling::learn::PlannerCost;
 use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
-    Answer, Article, CellValue, Claim, Closed, Confused, CorpusReport, CorpusText, Description,
+    Answer, Article, CellValue, Claim, Closed, Confused, CorpusFile, CorpusReport, Description,
     EntryText, Envelope, Event, Experiment, ExperimentProgress, ExperimentReport, Explanation,
     Fate, Figures, Judgement, Lesson, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress,
     PlanText, Problem, Program, Progress, Reading, Referent, Refers, Request, RowSummary, RunPart,
@@ -76,7 +76,7 @@ fn requests() -> Vec<Request> {
     let pair = PairText { pre: state.clone(), post: state.clone() };
     let mut some = settings(3);
     some.demonstrations = Some(2);
-    let test = CorpusText { name: "test.csv".to_owned(), text: "x\n".to_owned() };
+    let test = CorpusFile { name: "test.csv".to_owned(), bytes: b"x\n\xFF".to_vec() };
     let experiment = |experiment| Request::Experiment { experiment, settings: settings(2) };
     let rules =
         WorldRules { pull: true, robot: true, slip: 0.1, lock: 0.2, ..WorldRules::default() };
@@ -223,6 +223,7 @@ fn events_come_back_from_the_wire() {
         name: "six.csv".to_owned(),
         rows: vec![row],
         rejected: 1,
+        left_out: 2,
         problems: vec![problem],
     };
     let progress = Progress {
@@ -281,6 +282,7 @@ fn events_come_back_from_the_wire() {
         Event::Ready,
         Event::Pong,
         Event::Crashed { message: "at line 1".to_owned() },
+        Event::Reading { done: 1 << 40, of: u64::MAX },
         Event::Corpus(report),
         Event::Row { row: 0, pairs: vec![PairText { pre: pair.pre, post: pair.post }] },
         Event::Progress(progress.clone()),
@@ -311,5 +313,5 @@ fn events_come_back_from_the_wire() {
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
     ];
-    come_back(&messages, 23);
+    come_back(&messages, 24);
 }

@@ -46,11 +46,10 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     finished.iter().for_each(|run| all.add(run.outcome.report.clone()));
     let by = By::ALL.iter().find(|(_, kind)| *kind == by).map_or("", |(name, _)| name);
     Ok(if common.json {
-        json!({
+        common.report(json!({
             "experiment": "cross", "by": by, "folds": n_folds,
             "runs": table::json(&finished), "all": report_json(&all),
-        })
-        .to_string()
+        }))
     } else {
         format!("{}\n\nall folds: {}", table::text(&finished), report_text(&all))
     })

@@ -7,7 +7,7 @@ use crate::corpora::text;
 use crate::figures::{report_json, report_text};
 use crate::parallel::run_one;
 use groundling::ccg::{ChartConfig, Model, parse};
-use groundling::corpus::{Example, Form, Options, read};
+use groundling::corpus::{Example, Options, read};
 use groundling::domain::{Rules, State};
 use groundling::ground::{Goal, Task};
 use groundling::learn::DEMONSTRATION_LEXICON;
@@ -48,7 +48,7 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
         }
     }
     let rows: Arc<[Example]> = if corpus.is_empty() {
-        let (six, _) = read(Form::Csv, SIX.as_bytes(), Options::default());
+        let (six, _) = read(SIX.as_bytes(), Options::default());
         six.examples.into()
     } else {
         common.rows(&corpus)?
@@ -72,13 +72,12 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     let seventh = obey(&mut model, &command, &world);
     Ok(if common.json {
         let Seventh { form, human, reason, plan, reached } = seventh;
-        json!({
+        common.report(json!({
             "experiment": "demonstration", "heard": report_json(&done.outcome.report),
             "paper": PAPER, "command": command, "form": form, "human": human, "reason": reason,
             "plan": plan, "reached": reached,
             "seconds": done.learning.wall, "cpu_seconds": done.learning.cpu,
-        })
-        .to_string()
+        }))
     } else {
         let mut lines = vec![format!(
             "learned {} commands in {:.3} s; asked the same again:",

@@ -1,13 +1,14 @@
 //! What all experiments are given alike.
 
-use crate::command::Failure;
-use crate::corpora::{examples, text};
+use crate::command::{Failure, once};
+use crate::corpora::{Loaded, Rows, examples, text};
 use crate::parallel::default_jobs;
 use crate::train::at_least_one;
 use groundling::ccg::Model;
 use groundling::corpus::Example;
 use groundling::learn::{Config, seed_model};
 use lexopt::{Arg, ValueExt};
+use serde_json::Value;
 use std::error::Error;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -63,12 +64,21 @@ pub(super) struct Common {
     pub(super) jobs: usize,
     lexicon: Option<PathBuf>,
     with_rejected: bool,
+    /// What became of the rows of all files so far.
+    rows: Rows,
 }
 
 impl Common {
     pub(super) fn new() -> Self {
         let (config, jobs) = (Config::default(), default_jobs());
-        Common { config, json: false, jobs, lexicon: None, with_rejected: false }
+        Common {
+            config,
+            json: false,
+            jobs,
+            lexicon: None,
+            with_rejected: false,
+            rows: Rows::default(),
+        }
     }
 
     /// Takes an option by its name, with its value.
@@ -77,7 +87,7 @@ impl Common {
         match name {
             "json" => self.json = true,
             "with-rejected" => self.with_rejected = true,
-            "lexicon" => self.lexicon = Some(arguments.value()?.into()),
+            "lexicon" => once(&mut self.lexicon, "--lexicon", arguments)?,
             "without-idioms" => self.config.idioms = false,
             "epochs" => self.config.epochs = at_least_one(arguments, "--epochs")?,
             "seed" => self.config.seed = arguments.value()?.parse()?,
@@ -100,7 +110,15 @@ impl Common {
     }
 
     /// The rows of files.
-    pub(super) fn rows(&self, files: &[PathBuf]) -> Result<Arc<[Example]>, Failure> {
-        examples(files, self.with_rejected).map(Arc::from)
+    pub(super) fn rows(&mut self, files: &[PathBuf]) -> Result<Arc<[Example]>, Failure> {
+        let Loaded { examples, rows } = examples(files, self.with_rejected)?;
+        self.rows.add(rows);
+        Ok(Arc::from(examples))
+    }
+
+    /// A report as text, with what became of the rows.
+    pub(super) fn report(&self, mut report: Value) -> String {
+        self.rows.put(&mut report);
+        report.to_string()
     }
 }

@@ -39,7 +39,7 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     let finished = run_all(&runs, &common.seed(CLEANUP_LEXICON)?, common.jobs);
     Ok(if common.json {
         let runs = table::json(&finished);
-        json!({ "experiment": "table2", "source": paper::SOURCE, "runs": runs }).to_string()
+        common.report(json!({ "experiment": "table2", "source": paper::SOURCE, "runs": runs }))
     } else {
         let table = table::text(&finished);
         format!("F1 by training set and demonstrations ({})\n{table}", paper::SOURCE)

@@ -43,7 +43,8 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     for (line, done) in lines.as_array_mut().into_iter().flatten().zip(&finished) {
         line["paper_seconds"] = paper_seconds(done).into();
     }
-    Ok(json!({ "experiment": "table3", "source": paper::SOURCE, "runs": lines }).to_string())
+    let report = json!({ "experiment": "table3", "source": paper::SOURCE, "runs": lines });
+    Ok(common.report(report))
 }
 
 fn paper_seconds(done: &Finished) -> Option<f64> {

@@ -104,7 +104,8 @@ impl Effects {
             }
             // The element may be in what is about to be drawn.
             Effect::Focus(id) => spawn_local(async move { host::focus(id) }),
-            Effect::Save { name, text } => save(&name, &text)?,
+            Effect::Save { name, text } => save(&name, JsValue::from_str(&text))?,
+            Effect::GiveBack(file) => save(&file.name, Uint8Array::from(&file.bytes[..]).into())?,
         }
         Ok(())
     }
@@ -141,7 +142,11 @@ fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
     url.set_search(program.name());
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
-    let worker = Worker::new_with_options(&url.href(), &options)?;
+    // A worker that is loaded from an address has the policy that its host sends, which is none where a host sends no
+    // headers. One of a text that the page makes has the page's own.
+    let program_text = format!("import {:?}", url.href());
+    let worker =
+        Worker::new_with_options(&object_url(program_text.into(), "text/javascript")?, &options)?;
     if program == Program::Talker {
         worker.post_message(&own_program()?)?;
     }
@@ -187,12 +192,16 @@ fn own_program() -> Result<JsValue, JsValue> {
     Ok(sent.into())
 }
 
-fn save(name: &str, text: &str) -> Result<(), JsValue> {
-    let parts = js_sys::Array::of1(&JsValue::from_str(text));
-    let kind = BlobPropertyBag::new();
-    kind.set_type("text/plain;charset=utf-8");
-    let blob = Blob::new_with_str_sequence_and_options(&parts, &kind)?;
-    let url = Url::create_object_url_with_blob(&blob)?;
+/// An address for a text, or for bytes, of a type.
+fn object_url(content: JsValue, kind: &str) -> Result<String, JsValue> {
+    let options = BlobPropertyBag::new();
+    options.set_type(kind);
+    let parts = js_sys::Array::of1(&content);
+    Url::create_object_url_with_blob(&Blob::new_with_str_sequence_and_options(&parts, &options)?)
+}
+
+fn save(name: &str, content: JsValue) -> Result<(), JsValue> {
+    let url = object_url(content, "text/plain;charset=utf-8")?;
     let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
     let link: HtmlAnchorElement = document.create_element("a")?.unchecked_into();
     link.set_href(&url);

@@ -1,6 +1,6 @@
 //! Files: choosing and dropping them. What they are is decided in `page::files`.
 
-use crate::ui::page::files::{Fault, Offered, admit, decode};
+use crate::ui::page::files::{Fault, Offered, admit};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{Event, File, FileList, HtmlInputElement};
 use yew::{Callback, Html, TargetCast, html};
@@ -11,7 +11,7 @@ pub(crate) fn open_file(
     label: &'static str,
     accept: &'static str,
     hint: Option<&str>,
-    offer: &Callback<Offered>,
+    offer: &Callback<Vec<Offered>>,
 ) -> Html {
     let offer = offer.clone();
     let chosen = Callback::from(move |event: Event| {
@@ -23,25 +23,30 @@ pub(crate) fn open_file(
     html! {
         <p class="open-file">
             <input class="unseen" type="file" {id} data-testid={id}
-                {accept} onchange={chosen} />
+                {accept} multiple=true onchange={chosen} />
             <label class="plain" for={id}>{ label }</label>
             if let Some(hint) = hint { <span class="dim">{ hint }</span> }
         </p>
     }
 }
 
-/// Reads the first of the files given and offers it to the page.
-pub(crate) fn read_all(files: Option<FileList>, offer: &Callback<Offered>) {
-    let Some(file) = files.and_then(|list| list.get(0)) else { return };
+/// Reads the files given and offers them to the page, all at once.
+pub(crate) fn read_all(files: Option<FileList>, offer: &Callback<Vec<Offered>>) {
+    let Some(list) = files else { return };
+    // A list empties itself when its input does.
+    let files: Vec<File> = (0..list.length()).filter_map(|at| list.get(at)).collect();
     let offer = offer.clone();
     spawn_local(async move {
-        let name = file.name();
-        offer.emit(Offered { name, text: read(&file).await });
+        let mut all = Vec::with_capacity(files.len());
+        for file in files {
+            all.push(Offered { name: file.name(), bytes: read(&file).await });
+        }
+        offer.emit(all);
     });
 }
 
-async fn read(file: &File) -> Result<String, Fault> {
+async fn read(file: &File) -> Result<Vec<u8>, Fault> {
     admit(file.size())?;
     let buffer = JsFuture::from(file.array_buffer()).await.map_err(|_| Fault::Unreadable)?;
-    decode(js_sys::Uint8Array::new(&buffer).to_vec())
+    Ok(js_sys::Uint8Array::new(&buffer).to_vec())
 }

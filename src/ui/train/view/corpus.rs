@@ -11,11 +11,20 @@ use crate::ui::train::state::State;
 use crate::ui::train::words::Text;
 use yew::{Callback, Html, html};
 
+/// Reading so many bytes takes long enough to be shown.
+const LONG: u64 = 1 << 18;
+
 /// The corpus panel.
 pub(super) fn corpus(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let State { corpus, file_notice: notice, .. } = state;
-    let accept = ".csv,.tsv,.jsonl,.txt";
+    let accept = ".csv,.tsv,.json,.jsonl,.txt";
+    let use_rejected = || {
+        html! {
+            <button type="button" class="link" data-testid="use-rejected"
+                onclick={act.reform(|_| Action::UseRejected)}>{ text.use_rejected }</button>
+        }
+    };
     html! {
         <section class="card corpus" aria-labelledby="corpus-title">
             <div class="card-head">
@@ -25,25 +34,40 @@ pub(super) fn corpus(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                 }
             </div>
             { open_file("corpus-file", text.open_corpus, accept, Some(text.corpus_hint), &act.reform(Action::Offered)) }
+            if let Some((done, of)) = state.reading.filter(|(_, of)| *of > LONG) {
+                <p class="dim" data-testid="reading">
+                    { format!("{} {} % ", text.reading_row, done * 100 / of) }
+                    <button type="button" class="link" data-testid="stop-reading"
+                        onclick={act.reform(|_| Action::StopReading)}>{ text.cancel }</button>
+                </p>
+            }
             if let Some(notice) = notice {
                 <div class="notice bad" role="alert" data-testid="file-notice">
                     <p><strong>{ &notice.message }</strong></p>
                     { problems(text, &notice.problems) }
+                    if !notice.rejected.is_empty() { { use_rejected() } }
                 </div>
             }
-            if let Some(corpus) = corpus { { list(text, corpus, shared.preferences.theme, act) } }
+            if let Some(corpus) = corpus { { list(text, corpus, shared.preferences.theme, act, use_rejected) } }
         </section>
     }
 }
 
-fn list(text: &Text, corpus: &Corpus, theme: Theme, act: &Callback<Action>) -> Html {
+fn list(
+    text: &Text,
+    corpus: &Corpus,
+    theme: Theme,
+    act: &Callback<Action>,
+    use_rejected: impl Fn() -> Html,
+) -> Html {
     let report = &corpus.report;
     let left = report.rows.len().saturating_sub(corpus.shown);
     html! {
         <>
             <p class="dim" data-testid="corpus-count">
                 { (text.commands)(report.rows.len()) }
-                if report.rejected > 0 { { (text.rejected)(report.rejected) } }
+                if report.left_out > 0 { { (text.left_out)(report.left_out) } }
+                if report.rejected > 0 { { (text.rejected)(report.rejected) } {" ("} { use_rejected() } {")"} }
                 if !report.problems.is_empty() { { (text.problems)(report.problems.len()) } }
                 {". "}
                 <button type="button" class="link" onclick={act.reform(|_| Action::SaveCorpus)}

@@ -1,0 +1,115 @@
+//! A row of whatever form on its way to an example: what it says is there as text, and its demonstrations are read one
+//! a step, since their states are most of a corpus.
+
+use super::admit;
+use super::cell::{self, Moment};
+use super::cells::Cells;
+use super::example::{Example, Pair, Row};
+use super::flaw::{Flaw, Wrong};
+
+/// What a form's reader comes to in a step.
+pub(super) enum Found {
+    Nothing,
+    Row(Row),
+    Draft(Box<Draft>),
+    Over,
+}
+
+/// The text of a state, and what its place is called.
+#[derive(Debug)]
+pub(super) struct Place {
+    pub(super) column: String,
+    pub(super) text: String,
+}
+
+/// A row that is being read.
+#[derive(Debug)]
+pub(super) struct Draft {
+    line: u64,
+    command: Option<String>,
+    flaws: Vec<Flaw>,
+    /// Whether nothing was wrong so far.
+    good: bool,
+    /// The name of the row, its task and who said it, as far as the file has them.
+    pub(super) id: Option<String>,
+    pub(super) task: Option<String>,
+    pub(super) worker: Option<String>,
+    pub(super) rest: Cells,
+    pairs: Vec<Pair>,
+    states: std::vec::IntoIter<(Place, Place)>,
+}
+
+impl Draft {
+    /// A row that begins at a line, of which nothing is known.
+    pub(super) fn new(line: u64) -> Draft {
+        Draft {
+            line,
+            command: None,
+            flaws: Vec::new(),
+            good: true,
+            id: None,
+            task: None,
+            worker: None,
+            rest: Cells::default(),
+            pairs: Vec::new(),
+            states: Vec::new().into_iter(),
+        }
+    }
+
+    /// Something is wrong with the row: it will be left out.
+    pub(super) fn blame(&mut self, column: Option<&str>, wrong: impl Into<Wrong>) {
+        self.good = false;
+        self.flaws.push(Flaw::of_row(self.line, column, wrong));
+    }
+
+    /// Something is odd in the row, which is no reason to leave it out.
+    pub(super) fn wonder(&mut self, column: Option<&str>, wrong: impl Into<Wrong>) {
+        self.flaws.push(Flaw::of_row(self.line, column, wrong));
+    }
+
+    /// What was said, or what keeps it from being a command, in this column.
+    pub(super) fn say(&mut self, column: &str, command: Result<String, Wrong>) {
+        match command.and_then(|command| admit::command(Some(&command))) {
+            Ok(command) => self.command = Some(command),
+            Err(wrong) => self.blame(Some(column), wrong),
+        }
+    }
+
+    /// The states of its demonstrations.
+    pub(super) fn show(&mut self, states: Vec<(Place, Place)>) {
+        self.states = states.into_iter();
+    }
+
+    /// Reads one demonstration; what came of the row, when it was the last one.
+    pub(super) fn step(&mut self) -> Option<Row> {
+        let Some((pre, post)) = self.states.next() else { return Some(self.end()) };
+        let (line, flaws) = (self.line, &mut self.flaws);
+        let pair = cell::demonstration(&pre.text, &post.text, |moment, wrong| {
+            let place = if moment == Moment::Before { &pre } else { &post };
+            flaws.push(Flaw::of_row(line, Some(&place.column), wrong));
+        });
+        self.good &= pair.is_some();
+        self.pairs.extend(pair);
+        None
+    }
+
+    fn end(&mut self) -> Row {
+        let command = self.command.take().filter(|_| self.good);
+        let mut flaws = std::mem::take(&mut self.flaws);
+        flaws.iter_mut().for_each(|flaw| flaw.kept = command.is_some());
+        let something =
+            |text: Option<String>| text.as_deref().and_then(admit::something).map(str::to_owned);
+        let mut pairs = std::mem::take(&mut self.pairs);
+        pairs.shrink_to_fit();
+        let example = command.map(|command| Example {
+            id: something(self.id.take()).unwrap_or_else(|| format!("line {}", self.line)),
+            line: self.line,
+            command,
+            task: something(self.task.take()),
+            worker: something(self.worker.take()),
+            pairs,
+            rest: std::mem::take(&mut self.rest),
+        });
+        Row { example, rejected: false, flaws }
+    }
+}
