@@ -131,17 +131,25 @@ proptest! {
         commands in prop::collection::vec(clauses(), 2..=3),
     ) {
         let mut model = joining();
-        let mut wanted = vec![None];
+        let (mut wanted, mut most) = (vec![None], 0);
         for command in &commands {
             let words = words(command);
             let lexical = lexical_items(&model, &words);
             let own = brute::commands(&mut model, words.len(), &lexical, NORMAL_FORM);
-            let joined = wanted.iter().flat_map(|before: &Option<TermId>| {
-                own.iter().map(|&goal| before.iter().copied().chain([goal]).collect::<Vec<_>>())
-            });
-            let joined: Vec<Vec<TermId>> = joined.collect();
             let terms = &mut model.grammar.terms;
-            wanted = joined.iter().map(|goals| Some(terms.conjoin(goals).unwrap())).collect();
+            let mut joined = Vec::new();
+            for before in &wanted {
+                for &goal in &own {
+                    let goals: Vec<TermId> = before.iter().copied().chain([goal]).collect();
+                    let both = terms.conjoin(&goals).unwrap();
+                    // What adds nothing to what was said is no reading.
+                    if *before != Some(both) {
+                        joined.push(Some(both));
+                    }
+                }
+            }
+            wanted = joined;
+            most = most.max(wanted.len());
         }
         let words = words(&commands.join(" and "));
         let hearing = Hearing::new(&model, &words);
@@ -156,7 +164,7 @@ proptest! {
         let terms = &model.grammar.terms;
         let found: BTreeSet<String> = by_clause.readings.iter().map(|r| print(terms, r.form)).collect();
         let wanted: BTreeSet<String> = wanted.into_iter().flatten().map(|form| print(terms, form)).collect();
-        if wanted.len() <= 32 {
+        if most <= 32 {
             prop_assert_eq!(found, wanted);
         }
     }
