@@ -91,6 +91,11 @@ impl<P: Mdp> Graph<P> {
         self.bounds[id as usize]
     }
 
+    /// What [`Graph::bound`] says of the initial state; 0 when nothing can be reached.
+    pub(super) fn least(&self) -> u32 {
+        if self.is_dead(0) { 0 } else { self.bound(0) }
+    }
+
     /// What a state that is not terminal is worth at most.
     pub(super) fn most(&self, id: Id) -> f64 {
         self.problem.most(self.state(id), self.discount)

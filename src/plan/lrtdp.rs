@@ -228,6 +228,7 @@ impl<P: Mdp> Solver<P::State, P::Action> for Lrtdp<P> {
             residual: self.residual,
             lower,
             upper: lower + self.gap(0),
+            least: self.graph.least(),
         }
     }
 }

@@ -296,6 +296,6 @@ impl<P: Mdp> Solver<P::State, P::Action> for Uct<P> {
             _ => (0.0, self.settings.worth(self.graph.bound(0))),
         };
         let (states, residual) = (self.graph.len(), f64::NAN);
-        Progress { states, steps: self.steps, backups: self.steps, residual, lower, upper }
+        Progress { states, steps: self.steps, backups: self.steps, residual, lower, upper, least: self.graph.least() }
     }
 }

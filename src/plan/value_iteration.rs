@@ -248,6 +248,7 @@ impl<P: Mdp> Solver<P::State, P::Action> for ValueIteration<P> {
             residual: self.residual,
             lower: self.value(self.graph.state(0)).unwrap_or(0.0),
             upper: self.upper,
+            least: self.graph.least(),
         }
     }
 }
