@@ -153,6 +153,13 @@ impl Dynamics {
         is_free.then_some(facing(moved, heading))
     }
 
+    /// What all states have in common that differ only in where the agent is, and where it is.
+    #[inline]
+    #[must_use]
+    pub fn without_agent(&self, packed: Packed) -> (Packed, u32) {
+        (packed.with(SMALL, self.width, 0), u32::from(self.agent(packed)))
+    }
+
     /// Where the object with this index is.
     #[inline]
     #[must_use]

@@ -101,6 +101,21 @@ impl BoundOf {
         &self.tables[locked.fold(0, |set, (i, _)| set | 1 << i)]
     }
 
+    /// A lower bound on the actions until all loads are where they should be, by their moves; what two need is known
+    /// otherwise.
+    pub(super) fn sum(
+        &self,
+        loads: &[Load],
+        atoms: &[Atom],
+        dynamics: &Dynamics,
+        packed: Packed,
+    ) -> Option<u32> {
+        if loads.len() < 3 {
+            return Some(0);
+        }
+        At { tables: self.of(dynamics, packed), atoms, dynamics, packed }.together(loads)
+    }
+
     /// A lower bound on the actions until a load is where it should be.
     pub(super) fn part(
         &self,

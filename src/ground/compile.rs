@@ -18,6 +18,8 @@ pub(super) struct Compiled {
     atoms: Vec<Atom>,
     wishes: Vec<Wish>,
     bound: BoundOf,
+    /// Whether it wants nothing but some places of some objects each, so that [`Pairs`] know all of it.
+    is_paired: bool,
 }
 
 impl Compiled {
@@ -33,7 +35,8 @@ impl Compiled {
         }
         wishes.load(&mut root, &atoms);
         let bound = BoundOf::new(&wishes, (&root, &atoms), dynamics, initial);
-        Self { root, atoms, wishes: wishes.all, bound }
+        let is_paired = is_paired(&root);
+        Self { root, atoms, wishes: wishes.all, bound, is_paired }
     }
 
     /// Whether no state whatever fulfils it: it asks for something of a thing that is not there.
@@ -71,6 +74,22 @@ impl Compiled {
     /// A guess at the actions still needed: see [`BoundOf::guess`].
     pub(super) fn estimate(&self, dynamics: &Dynamics, packed: Packed) -> Option<u32> {
         self.bound.guess(&self.root, &self.atoms, dynamics, packed)
+    }
+
+    /// A lower bound on the actions still needed, with what pairs of objects need; `None` when no number suffices.
+    pub(super) fn bound_with(
+        &self,
+        pairs: &Pairs,
+        dynamics: &Dynamics,
+        packed: Packed,
+    ) -> Option<u32> {
+        let paired = pairs.bound(dynamics, packed)?;
+        let whole = if self.is_paired {
+            self.bound.sum(self.loads(), &self.atoms, dynamics, packed)?
+        } else {
+            self.bound(dynamics, packed)?
+        };
+        Some(whole.max(paired))
     }
 
     /// How many objects or pairs of objects it wants moved, all of them.
@@ -115,6 +134,16 @@ impl Compiled {
             }
         }
     }
+}
+
+/// See [`Compiled::is_paired`].
+fn is_paired(root: &Node) -> bool {
+    let Node::Together(all, loads) = root else { return false };
+    let wishes = loads.iter().map(|load| match load {
+        Load::One { wishes, .. } => wishes.len(),
+        Load::Two(_) => 0,
+    });
+    all.len() == wishes.sum::<usize>() && all.iter().all(|node| matches!(node, Node::Atom(_)))
 }
 
 struct Compiler<'s> {

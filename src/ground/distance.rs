@@ -53,7 +53,9 @@ impl Table {
         let (first, second) = (usize::from(one), usize::from(other));
         match self {
             Self::Robot { headings, rest } => finite(rest[pose(*headings, robot)]),
-            Self::Carry { headings, n, rest, .. } => finite(rest[pose(*headings, robot) * n + second]),
+            Self::Carry { headings, n, rest, .. } => {
+                finite(rest[pose(*headings, robot) * n + second])
+            }
             Self::Fetch { n, moves } => match finite(moves[first * n + second])? {
                 0 => Some(0),
                 moves => {

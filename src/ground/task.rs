@@ -5,9 +5,7 @@
 use super::compile::Compiled;
 use super::goal::Goal;
 use super::pairs::Pairs;
-use crate::domain::{
-    Action, Dynamics, Form, PackError, Packed, Rules, State, StateError, Walks,
-};
+use crate::domain::{Action, Dynamics, Form, PackError, Packed, Rules, State, StateError, Walks};
 use crate::mdp::{Leap, Mdp, action_to, each_action};
 use std::cell::{OnceCell, RefCell};
 
@@ -144,10 +142,9 @@ impl Mdp for Task {
     }
 
     fn heuristic(&self, state: Packed) -> Option<u32> {
-        let bound = self.goal.bound(&self.dynamics, state)?;
         match self.pairs.get() {
-            Some(Some(pairs)) => Some(bound.max(pairs.bound(&self.dynamics, state)?)),
-            _ => Some(bound),
+            Some(Some(pairs)) => self.goal.bound_with(pairs, &self.dynamics, state),
+            _ => self.goal.bound(&self.dynamics, state),
         }
     }
 
@@ -162,6 +159,10 @@ impl Mdp for Task {
             self.pairs.get_or_init(|| making.take());
         }
         self.pairs.get().is_some()
+    }
+
+    fn family(&self, state: Packed) -> (Packed, u32) {
+        self.dynamics.without_agent(state)
     }
 
     fn estimate(&self, state: Packed) -> Option<u32> {

@@ -36,6 +36,11 @@ pub trait Mdp {
         self.heuristic(state).map_or(0.0, |n| power(discount, n.saturating_sub(1)))
     }
 
+    /// A state as a member of a family, with its number there: states that lie near each other have one family and
+    /// numbers that are near. No two states have both in common.
+    fn family(&self, state: Self::State) -> (Self::State, u32) {
+        (state, 0)
+    }
     /// A guess at the number of actions from `state`, nearer to it than the heuristic and no bound; `None` as there.
     fn estimate(&self, state: Self::State) -> Option<u32> {
         self.heuristic(state)
@@ -163,6 +168,9 @@ macro_rules! is_a_problem {
             }
             fn most(&self, state: Self::State, discount: f64) -> f64 {
                 (**self).most(state, discount)
+            }
+            fn family(&self, state: Self::State) -> (Self::State, u32) {
+                (**self).family(state)
             }
             fn estimate(&self, state: Self::State) -> Option<u32> {
                 (**self).estimate(state)

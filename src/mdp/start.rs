@@ -38,6 +38,9 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     fn most(&self, state: P::State, discount: f64) -> f64 {
         self.problem.most(state, discount)
     }
+    fn family(&self, state: P::State) -> (P::State, u32) {
+        self.problem.family(state)
+    }
     fn estimate(&self, state: P::State) -> Option<u32> {
         self.problem.estimate(state)
     }

@@ -23,7 +23,7 @@ const STAGES: [(Stage, u64); 10] = [
 ];
 /// A plan that is no longer than the bound times this is near enough, once A* has tried for so many states.
 const NEAR: (u64, u64) = (6, 5);
-const TRIED: u64 = 500_000;
+const TRIED: u64 = 100_000;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
@@ -87,7 +87,9 @@ impl<P: Mdp + Clone> AnyTime<P> {
 
     /// How many steps were done.
     fn steps(&self) -> u64 {
-        self.spent + self.search.expanded() + self.parts.as_ref().map_or(0, |parts| parts.expanded())
+        self.spent
+            + self.search.expanded()
+            + self.parts.as_ref().map_or(0, |parts| parts.expanded())
     }
 
     fn left(&self) -> u64 {
@@ -127,9 +129,9 @@ impl<P: Mdp + Clone> AnyTime<P> {
         let is_last = self.stage + 1 == STAGES.len();
         is_last
             && self.search.expanded() >= TRIED
-            && self
-                .length()
-                .is_some_and(|length| u64::from(length) * NEAR.1 <= u64::from(self.least()) * NEAR.0)
+            && self.length().is_some_and(|length| {
+                u64::from(length) * NEAR.1 <= u64::from(self.least()) * NEAR.0
+            })
     }
 
     /// What comes of a search that has ended.
@@ -165,7 +167,8 @@ impl<P: Mdp + Clone> AnyTime<P> {
         self.spent = self.steps();
         self.begun = self.spent;
         let (stage, most) = STAGES[self.stage];
-        let settings = self.settings.with_budget(most.min(self.left()), self.settings.budget.states);
+        let settings =
+            self.settings.with_budget(most.min(self.left()), self.settings.budget.states);
         let shorter = self.length().map_or(u32::MAX, |length| length - 1);
         self.parts = None;
         let (guide, settings) = match stage {

@@ -118,12 +118,7 @@ impl<P: Mdp> AStar<P> {
     }
 
     /// The same, led by something else than the bound: then plans need not be shortest.
-    pub(super) fn guided(
-        problem: P,
-        settings: Settings,
-        most_actions: u32,
-        guide: Guide,
-    ) -> Self {
+    pub(super) fn guided(problem: P, settings: Settings, most_actions: u32, guide: Guide) -> Self {
         let mut search = Self {
             problem,
             settings,
@@ -147,6 +142,13 @@ impl<P: Mdp> AStar<P> {
             search.reach(initial, Facts { parent: 0, cost: 0, left, waits: score });
         }
         search
+    }
+
+    /// A search for some way to the end on which all goes well, whatever may go wrong: led by the guess more than by the
+    /// cost.
+    pub(super) fn hopeful(problem: P, settings: Settings) -> Self {
+        let guided = Self::guided(problem, settings, u32::MAX, Guide::Guess(1, 5));
+        Self { takes_chances: true, ..guided }
     }
 
     /// The problem that is searched.

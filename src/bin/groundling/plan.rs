@@ -20,7 +20,7 @@ pub(crate) const COMMAND: Command = Command {
     details: "In:  a JSON line {\"goal\", \"initial\", \"pull\"?: false, \"robot\"?: false,\n\
               \x20    \"landmarks\"?: \"free\" | \"fixed\", \"lock_probability\"?: 0, \"loss_probability\"?: 0,\n\
               \x20    \"slip_probability\"?: 0, \"solver\"?: \"auto\" | \"astar\" | \"vi\" | \"lrtdp\" | \"uct\",\n\
-              \x20    \"steps\"?: most steps of the solver, \"rollouts\"?: runs of the policy, \"seed\"?: 0}\n\
+              \x20    \"steps\"?: most steps of the solver, \"epsilon\"?: 1e-6, \"rollouts\"?: runs of the policy, \"seed\"?: 0}\n\
               Out: {\"length\", \"actions\", \"value\", \"states\", \"seconds\", \"solver\", \"reason\"?,\n\
               \x20    \"message\"?, \"why\"?, \"least\"?, \"bounds\"?, \"rollouts\"?}. Length and actions where\n\
               \x20    nothing is left to chance; `states` counts those kept; `reason` is no_referent,\n\
@@ -32,9 +32,9 @@ pub(crate) const COMMAND: Command = Command {
 
 /// What a solver may spend when a line does not say: seconds where nothing is left to chance, else minutes; and some
 /// hundred megabytes.
-const SURE_STEPS: u64 = 3_000_000;
+const SURE_STEPS: u64 = 600_000;
 const STEPS: u64 = 100_000_000;
-const STATES: usize = 3_000_000;
+const STATES: usize = 1_800_000;
 /// The same for UCT, which always spends it all: seconds.
 const TRIALS: u64 = 2_000_000;
 /// Most rollouts of a line.
@@ -56,6 +56,7 @@ struct Question<'a> {
     slip_probability: Option<f64>,
     solver: Option<String>,
     steps: Option<u64>,
+    epsilon: Option<f64>,
     rollouts: Option<u32>,
     seed: Option<u64>,
 }
@@ -150,7 +151,11 @@ fn answer(line: &str) -> Result<Answer, String> {
         _ => STEPS,
     });
     let seed = question.seed.unwrap_or(0);
-    let settings = Settings { seed, ..Settings::default() }.with_budget(steps, STATES);
+    let epsilon = question.epsilon.unwrap_or(Settings::default().epsilon);
+    if !(epsilon > 0.0 && epsilon < 1.0) {
+        return Err(format!("epsilon: {epsilon} does not lie between 0 and 1"));
+    }
+    let settings = Settings { seed, epsilon, ..Settings::default() }.with_budget(steps, STATES);
     let make = |state| Making::new(solver, StartingAt::new(&task, state), settings);
     let mut first = make(task.initial());
     let outcome = first.run();
