@@ -181,7 +181,8 @@ impl<P: Mdp + Clone> AnyTime<P> {
             }
             Stage::Greedy | Stage::Sharpen => (Guide::Bound, settings.with_budget(0, 0)),
         };
-        self.search = AStar::guided(self.problem.clone(), settings, shorter, guide);
+        let start = self.problem.initial();
+        self.search = AStar::guided(self.problem.clone(), start, settings, shorter, guide);
     }
 }
 

@@ -114,11 +114,18 @@ impl<P: Mdp> AStar<P> {
     /// A search for a plan of at most so many actions; when there is none, it ends as [`Outcome::Unreachable`].
     #[must_use]
     pub fn within(problem: P, settings: Settings, most_actions: u32) -> Self {
-        Self::guided(problem, settings, most_actions, Guide::Bound)
+        let start = problem.initial();
+        Self::guided(problem, start, settings, most_actions, Guide::Bound)
     }
 
-    /// The same, led by something else than the bound: then plans need not be shortest.
-    pub(super) fn guided(problem: P, settings: Settings, most_actions: u32, guide: Guide) -> Self {
+    /// The same from any state, led by something else than the bound: then plans need not be shortest.
+    pub(super) fn guided(
+        problem: P,
+        start: P::State,
+        settings: Settings,
+        most_actions: u32,
+        guide: Guide,
+    ) -> Self {
         let mut search = Self {
             problem,
             settings,
@@ -135,11 +142,10 @@ impl<P: Mdp> AStar<P> {
             plan: None,
             outcome: None,
         };
-        let initial = search.problem.initial();
-        let holds = |part: &usize| search.problem.part(*part, initial) == Some(0);
+        let holds = |part: &usize| search.problem.part(*part, start) == Some(0);
         search.held = (0..search.problem.n_parts()).filter(holds).fold(0, |set, i| set | 1 << i);
-        if let Some((left, score)) = search.judge(initial, 0) {
-            search.reach(initial, Facts { parent: 0, cost: 0, left, waits: score });
+        if let Some((left, score)) = search.judge(start, 0) {
+            search.reach(start, Facts { parent: 0, cost: 0, left, waits: score });
         }
         search
     }
@@ -147,7 +153,8 @@ impl<P: Mdp> AStar<P> {
     /// A search for some way to the end on which all goes well, whatever may go wrong: led by the guess more than by the
     /// cost.
     pub(super) fn hopeful(problem: P, settings: Settings) -> Self {
-        let guided = Self::guided(problem, settings, u32::MAX, Guide::Guess(1, 5));
+        let start = problem.initial();
+        let guided = Self::guided(problem, start, settings, u32::MAX, Guide::Guess(1, 5));
         Self { takes_chances: true, ..guided }
     }
 

@@ -3,7 +3,7 @@
 //! Invariant: a plan that is found is a plan; nothing is proved.
 
 use super::astar::{AStar, Guide, Solution};
-use crate::mdp::{Mdp, Outcome, Settings, Solver, StartingAt};
+use crate::mdp::{Mdp, Outcome, Settings, Solver};
 
 /// States that one part may look at.
 const PART: u64 = 3_000;
@@ -14,7 +14,7 @@ pub(super) struct Parts<P: Mdp> {
     settings: Settings,
     /// What was begun: how to get there, and the parts that may come next, the best last.
     begun: Vec<(Solution<P::State, P::Action>, Vec<usize>)>,
-    search: Option<Box<AStar<StartingAt<P>>>>,
+    search: Option<Box<AStar<P>>>,
     /// States looked at before the present search.
     spent: u64,
     best: Option<Solution<P::State, P::Action>>,
@@ -62,9 +62,9 @@ impl<P: Mdp + Clone> Parts<P> {
         let most = self.best.as_ref().map_or(usize::MAX, |best| best.actions.len() - 1);
         if let Some(most) = most.checked_sub(way.actions.len()) {
             let settings = self.settings.with_budget(PART, self.settings.budget.states);
-            let problem = StartingAt::new(self.problem.clone(), state);
+            let problem = self.problem.clone();
             let most = u32::try_from(most).unwrap_or(u32::MAX);
-            let search = AStar::guided(problem, settings, most, Guide::Part(part));
+            let search = AStar::guided(problem, state, settings, most, Guide::Part(part));
             self.search = Some(Box::new(search));
         }
         false
