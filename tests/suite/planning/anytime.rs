@@ -29,7 +29,7 @@ fn sharp(goal: &Goal, state: &State, rules: Rules) -> Task {
 
 #[test]
 fn whenever_it_is_stopped_its_plan_is_one_and_no_plan_is_shorter_than_it_says() {
-    let (mut open, mut proved) = (0, 0);
+    let mut proved = 0;
     for seed in 0..24 {
         let state = world(seed * 3 + 1, 2);
         let goal = bring(&state, 2);
@@ -53,12 +53,10 @@ fn whenever_it_is_stopped_its_plan_is_one_and_no_plan_is_shorter_than_it_says() 
             if outcome == Outcome::Solved {
                 proved += 1;
                 assert_eq!(plan.actions.len(), shortest);
-            } else {
-                open += 1;
             }
         }
     }
-    assert!(open > 5 && proved > 20, "{open} open, {proved} proved");
+    assert!(proved > 20, "{proved} proved");
 }
 
 #[test]
