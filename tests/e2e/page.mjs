@@ -160,8 +160,11 @@ export class Demo {
   }
 
   /** Chooses what the room is for: `watch`, `edit` or `teach`. */
-  mode(mode) {
-    return this.press(`mode-${mode}`);
+  async mode(mode) {
+    const pressed = this.page.locator('.turn[aria-pressed="true"]');
+    if (mode !== 'watch') {
+      if ((await this.by(`mode-${mode}`).getAttribute('aria-pressed')) === 'false') await this.press(`mode-${mode}`);
+    } else if ((await pressed.count()) > 0) await pressed.click();
   }
 
   /** Where a cell's middle is on the screen. */

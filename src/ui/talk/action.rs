@@ -8,6 +8,7 @@ use super::share::state::Link as Address;
 use super::watch::state::{Layer, Speed};
 use super::why::help::Help;
 use crate::domain::{Blueprint, Color};
+use crate::ui::page::preferences::Depth;
 use crate::worker::protocol::WorldRules;
 
 /// Something that a person did.
@@ -29,6 +30,8 @@ pub enum Action {
     Preview(Option<usize>),
     /// All readings are to be seen.
     AllReadings,
+    /// More, or less, of what is behind the answer is to be seen.
+    Deepen(Depth),
     /// A constituent of the derivation was chosen.
     ChooseNode(usize),
     /// Another step of its reduction is shown.

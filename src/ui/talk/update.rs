@@ -28,6 +28,10 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::Link(link) => state.command.link = link,
         Action::Preview(reading) => state.command.preview = reading,
         Action::AllReadings => state.command.all_readings = true,
+        Action::Deepen(depth) => {
+            shared.depth = depth;
+            deepened(state, shared);
+        }
         Action::ChooseNode(node) => (state.command.node, state.command.steps) = (Some(node), 0),
         Action::Reduce(steps) => state.command.steps = steps,
         Action::SetRules(rules) if rules == shared.document.rules => {}

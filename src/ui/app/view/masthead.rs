@@ -30,7 +30,6 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
         <header class="masthead">
             <div class="name">
                 <h1>{"Groundling"}</h1>
-                <p>{ text.tagline }</p>
             </div>
             <nav aria-label={text.views}>
                 { link(View::Talk, text.talk, "#talk", "view-talk") }
@@ -59,6 +58,12 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
                     }) }
                 </select>
             </div>
+            if *view == View::Talk {
+                <p class="pitch">
+                    { text.pitch }
+                    { for text.links.iter().map(|(words, href)| html! { <a href={*href}>{ words }</a> }) }
+                </p>
+            }
         </header>
     }
 }

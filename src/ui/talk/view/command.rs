@@ -1,4 +1,4 @@
-//! The command box, with commands to try.
+//! The command box, and commands to try.
 
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
@@ -13,7 +13,6 @@ use yew::{Callback, Html, InputEvent, TargetCast, html};
 /// The command box.
 pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
-    let can_ask = shared.can_ask();
     let send = act.reform(|event: SubmitEvent| {
         event.prevent_default();
         Action::Ask
@@ -24,7 +23,7 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
     });
     html! {
         <>
-            <form class="say" onsubmit={send}>
+            <form class="say main" onsubmit={send}>
                 <label class="unseen" for="command">{ text.what_to_do }</label>
                 <input id="command" type="text" lang="en" autocomplete="off" autocapitalize="off"
                     spellcheck="false" enterkeyhint="send" data-testid="command" value={state.command.input.clone()}
@@ -33,21 +32,11 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
                     <button type="button" class="primary" data-testid="stop"
                         onclick={act.reform(|_| Action::StopPlanning)}>{ text.stop }</button>
                 } else {
-                    <button type="submit" class="primary" data-testid="ask" disabled={!can_ask}>
+                    <button type="submit" class="primary" data-testid="ask" disabled={!shared.can_ask()}>
                         { text.tell }
                     </button>
                 }
             </form>
-            <div class="chips" id="say-hint">
-                <span class="dim">{ if can_ask { text.try_this } else { text.getting_ready } }</span>
-                { for EXAMPLES.iter().enumerate().map(|(i, example)| html! {
-                    <button type="button" class="chip" lang="en" disabled={!can_ask}
-                        data-testid={format!("example-{i}")}
-                        onclick={act.reform(move |_| Action::AskExample((*example).to_owned()))}>
-                        { *example }
-                    </button>
-                }) }
-            </div>
             { notice(state.command.notice.as_deref(), "ask-notice") }
             if let Some(words) = &shared.model_notice {
                 <div class="notice" role="alert" data-testid="model-notice">
@@ -60,5 +49,23 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
                 </div>
             }
         </>
+    }
+}
+
+/// Commands to try.
+pub(super) fn examples(shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
+    let can_ask = shared.can_ask();
+    html! {
+        <div class="chips" id="say-hint">
+            <span class="dim">{ if can_ask { text.try_this } else { text.getting_ready } }</span>
+            { for EXAMPLES.iter().enumerate().map(|(i, example)| html! {
+                <button type="button" class="chip" lang="en" disabled={!can_ask}
+                    data-testid={format!("example-{i}")}
+                    onclick={act.reform(move |_| Action::AskExample((*example).to_owned()))}>
+                    { *example }
+                </button>
+            }) }
+        </div>
     }
 }

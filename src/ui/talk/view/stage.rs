@@ -37,10 +37,16 @@ pub(super) fn stage(state: &State, shared: &Shared, act: &Callback<Action>) -> H
                     interactive={mode != Mode::Watch} on_point={act.reform(Action::Point)} />
             </div>
             <p id="room-help" class="unseen">{ text.keys_help(mode) }</p>
-            <p class="caption" data-testid="robot-place">{ text.phrases.robot(shown) }</p>
-            <Cells shown={shown.clone()} language={shared.language} />
+            if state.watch.playback.is_none() && mode == Mode::Watch {
+                <p class="caption" data-testid="robot-place">{ text.phrases.robot(shown) }</p>
+            }
         </>
     }
+}
+
+/// The room cell by cell, for those who do not see the picture.
+pub(super) fn cells(state: &State, shared: &Shared) -> Html {
+    html! { <Cells shown={state.shown(shared).clone()} language={shared.language} /> }
 }
 
 fn key(name: &str, shift: bool) -> Option<Key> {

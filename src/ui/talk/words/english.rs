@@ -23,11 +23,15 @@ pub(super) static ENGLISH: Text = Text {
     tell: "Tell it",
     stop: "Stop",
     try_this: "Try",
+    hello: "Tell me what to do, in English, or press an example.",
+    ask_why: "Why?",
+    show_grammar: "Show the grammar",
+    less: "Less",
     getting_ready: "Getting ready…",
     train_one: "Train one",
     the_words: "The words as I read them",
-    it_means: "I understood:",
-    it_would_mean: "I would understand:",
+    it_means: "I will",
+    it_would_mean: "I would",
     has_steps: |n| {
         if n == 1 {
             "The plan has one step.".to_owned()
@@ -35,7 +39,7 @@ pub(super) static ENGLISH: Text = Text {
             format!("The plan has {n} steps.")
         }
     },
-    it_could: "I could do this much:",
+    it_could: "I could",
     take_for: |own, other| format!("I take “{own}” for “{other}”."),
     which: ["Is this what you mean?", "Which do you mean?"],
     none_of_these: "None of these: I will show you",

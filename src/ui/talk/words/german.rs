@@ -28,11 +28,15 @@ pub(super) static GERMAN: Text = Text {
     tell: "Sagen",
     stop: "Halt",
     try_this: "Zum Beispiel",
+    hello: "Sag mir auf Englisch, was ich tun soll, oder drück ein Beispiel.",
+    ask_why: "Warum?",
+    show_grammar: "Grammatik zeigen",
+    less: "Weniger",
     getting_ready: "Gleich bereit…",
     train_one: "Eines trainieren",
     the_words: "Die Wörter, wie ich sie lese",
-    it_means: "Verstanden:",
-    it_would_mean: "Ich würde verstehen:",
+    it_means: "Ich werde",
+    it_would_mean: "Ich würde",
     has_steps: |n| {
         if n == 1 {
             "Der Plan hat einen Schritt.".to_owned()
@@ -40,7 +44,7 @@ pub(super) static GERMAN: Text = Text {
             format!("Der Plan hat {n} Schritte.")
         }
     },
-    it_could: "So viel könnte ich tun:",
+    it_could: "Ich könnte",
     take_for: |own, other| format!("„{own}“ halte ich für „{other}“."),
     which: ["Meinst du das?", "Was davon meinst du?"],
     none_of_these: "Nichts davon: Ich zeige es dir",
