@@ -9,8 +9,8 @@ const MOST_DIGITS: usize = 800;
 
 /// Powers of ten that a double holds exactly.
 const EXACT: [f64; 23] = [
-    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17,
-    1e18, 1e19, 1e20, 1e21, 1e22,
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
 
 /// The finite number that a text such as `-12.5` or `3e-7` is nearest to; nothing where it is none, or out of range.
@@ -77,7 +77,11 @@ fn quotient(mut above: Whole, mut below: Whole) -> f64 {
     }
     // The quotient is to have 64 bits or 65, but no more behind the point than the smallest double and two.
     let shift = (64 + below.bits() - above.bits()).min(1_076);
-    if shift < 0 { below.shift(-shift) } else { above.shift(shift) }
+    if shift < 0 {
+        below.shift(-shift)
+    } else {
+        above.shift(shift)
+    }
     let mut whole = 0_u128;
     below.shift(66);
     for _ in 0..=66 {

@@ -38,6 +38,10 @@ pub enum Effect {
 pub enum Timer {
     /// The next step of the plan that is played.
     Play(u32),
+    /// Time to look for commands to try.
+    Examples(u32),
+    /// Time for the next thing that the page does by itself.
+    Demo(u32),
     /// Time to see whether an engine still answers.
     Watch(Program, u32),
 }

@@ -14,6 +14,10 @@ use crate::worker::protocol::WorldRules;
 /// Something that a person did.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
+    /// The page may do something by itself.
+    Demo,
+    /// A person has touched the page.
+    Touched,
     /// The command box changed.
     Typed(String),
     /// A command was sent: what stands in the box.

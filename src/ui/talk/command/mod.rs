@@ -3,5 +3,6 @@
 pub mod link;
 pub mod state;
 pub mod ask;
+pub mod examples;
 pub mod study;
 pub mod answer;

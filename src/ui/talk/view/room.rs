@@ -56,13 +56,7 @@ pub(super) fn room(state: &State, shared: &Shared, act: &Callback<Action>) -> Ht
 }
 
 /// Turns the room over to something, and back to watching when it is pressed again.
-fn turn(
-    to: Mode,
-    sign: Sign,
-    text: &'static Text,
-    mode: Mode,
-    act: &Callback<Action>,
-) -> Html {
+fn turn(to: Mode, sign: Sign, text: &'static Text, mode: Mode, act: &Callback<Action>) -> Html {
     let next = if mode == to { Mode::Watch } else { to };
     html! {
         <button type="button" class="turn" aria-pressed={(to == mode).to_string()} title={text.mode_help(to)}

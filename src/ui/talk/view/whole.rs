@@ -30,7 +30,7 @@ pub(crate) fn talk(state: &State, shared: &Shared, act: &Callback<Action>) -> Ht
                 <section class="command" aria-label={Text::of(shared.language).tell}>
                     { answer(state, shared, act) }
                     { command(state, shared, act) }
-                    { examples(shared, act) }
+                    { examples(state, shared, act) }
                 </section>
                 { cells(state, shared) }
             </div>

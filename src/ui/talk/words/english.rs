@@ -27,6 +27,7 @@ pub(super) static ENGLISH: Text = Text {
     ask_why: "Why?",
     show_grammar: "Show the grammar",
     less: "Less",
+    unknown_example: "A word that I do not know yet: teach me",
     getting_ready: "Getting ready…",
     train_one: "Train one",
     the_words: "The words as I read them",

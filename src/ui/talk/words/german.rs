@@ -32,6 +32,7 @@ pub(super) static GERMAN: Text = Text {
     ask_why: "Warum?",
     show_grammar: "Grammatik zeigen",
     less: "Weniger",
+    unknown_example: "Ein Wort, das ich noch nicht kenne: Bring es mir bei",
     getting_ready: "Gleich bereit…",
     train_one: "Eines trainieren",
     the_words: "Die Wörter, wie ich sie lese",

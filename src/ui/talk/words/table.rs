@@ -33,6 +33,7 @@ pub struct Text {
     pub ask_why: &'static str,
     pub show_grammar: &'static str,
     pub less: &'static str,
+    pub unknown_example: &'static str,
     pub getting_ready: &'static str,
     pub train_one: &'static str,
     pub the_words: &'static str,
