@@ -2,6 +2,7 @@
 
 use super::command::link::Link;
 use super::room::edit::Look;
+use super::room::moved::Meant;
 use super::room::point::{Key, Point};
 use super::room::state::{Mode, Tool};
 use super::share::state::Link as Address;
@@ -72,6 +73,8 @@ pub enum Action {
     SetPaint(Color),
     /// A pointer in the room.
     Point(Point),
+    /// What something is to mean that was taken elsewhere.
+    Mean(Meant),
     /// A key in the room.
     Press(Key),
     /// Another world was chosen, by its place in [`crate::ui::page::world::WORLDS`].

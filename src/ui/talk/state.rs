@@ -51,6 +51,9 @@ impl State {
     /// The state of the world that is shown: what is being demonstrated, a step of the plan, or the world itself.
     pub fn shown<'a>(&'a self, shared: &'a Shared) -> &'a World {
         let draft = shared.document.draft.as_ref().filter(|_| self.room.mode == Mode::Teach);
+        if let Some(moved) = self.room.moved.as_ref().filter(|_| self.room.mode == Mode::Watch) {
+            return &moved.world;
+        }
         let playback = || self.watch.playback.as_ref().and_then(Playback::shown);
         draft.map(|draft| &draft.after).or_else(playback).unwrap_or(&shared.document.world)
     }

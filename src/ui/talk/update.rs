@@ -5,7 +5,7 @@ use super::action::Action;
 use super::command::state::Command;
 use super::command::{ask, study};
 use super::demo;
-use super::room::{hand, worlds};
+use super::room::{hand, moved, worlds};
 use super::share::exchange;
 use super::share::state::Sharing;
 use super::state::State;
@@ -55,6 +55,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::SetLook(look) => state.room.look = look,
         Action::SetPaint(color) => state.room.paint = color,
         Action::Point(point) => hand::point(state, shared, point),
+        Action::Mean(meant) => moved::mean(state, shared, meant),
         Action::Press(key) => hand::press(state, shared, key),
         Action::PickWorld(choice) => worlds::pick(state, shared, choice),
         Action::ResetWorld => worlds::reset(state, shared),

@@ -82,6 +82,10 @@ impl Phrases for English {
         color.name()
     }
 
+    fn room(&self, color: Color) -> String {
+        format!("{color} room")
+    }
+
     fn shape(&self, shape: Shape) -> &'static str {
         shape.name()
     }

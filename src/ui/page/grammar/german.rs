@@ -91,6 +91,10 @@ impl Phrases for German {
         adjective(color.name())
     }
 
+    fn room(&self, color: Color) -> String {
+        format!("{}er Raum", adjective(color.name()))
+    }
+
     fn shape(&self, shape: Shape) -> &'static str {
         property(shape.name()).0
     }

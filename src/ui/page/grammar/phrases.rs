@@ -38,6 +38,8 @@ pub trait Phrases {
     fn look(&self, color: Color, shape: Shape, size: Option<Size>) -> String;
     /// A colour.
     fn color(&self, color: Color) -> &'static str;
+    /// A room by its colour: "blue room".
+    fn room(&self, color: Color) -> String;
     /// A shape.
     fn shape(&self, shape: Shape) -> &'static str;
     /// A size.

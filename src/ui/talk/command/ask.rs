@@ -53,6 +53,7 @@ pub(crate) fn ask(state: &mut State, shared: &mut Shared) {
     }
     state.settle(shared);
     state.room.mode = Mode::Watch;
+    state.room.let_go();
     state.command.forget();
     let command = state.command.input.clone();
     request(state, shared, |world, rules| Request::Ask { command, state: world, rules });

@@ -34,6 +34,9 @@ pub(super) struct Props {
     /// Whether things can be dragged: a finger then draws instead of scrolling the page.
     #[prop_or_default]
     pub(super) interactive: bool,
+    /// What lies over the picture, in its units.
+    #[prop_or_default]
+    pub(super) labels: Html,
     /// Told what a pointer does.
     #[prop_or_default]
     pub(super) on_point: Callback<Point>,
@@ -112,12 +115,13 @@ impl Component for Canvas {
             options,
             label,
             interactive,
+            labels,
             reduced_motion: _,
             step_ms: _,
             on_point: _,
         } = new;
-        (shown, options, label, interactive)
-            != (&old.shown, &old.options, &old.label, &old.interactive)
+        (shown, options, label, interactive, labels)
+            != (&old.shown, &old.options, &old.label, &old.interactive, &old.labels)
     }
 
     fn update(&mut self, ctx: &Context<Self>, message: Message) -> bool {
@@ -166,7 +170,7 @@ impl Component for Canvas {
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let Props { shown, label, interactive, .. } = ctx.props();
+        let Props { shown, label, interactive, labels, .. } = ctx.props();
         let backend = self.view.as_ref().map_or_else(|| "svg".to_owned(), View::backend);
         let drawn = self.view.is_some();
         let pointer =
@@ -186,6 +190,7 @@ impl Component for Canvas {
                 <svg class="picture" role="img" aria-label={label.clone()}
                     viewBox={sketch::view_box(&Extent::of(shown))}>
                     if !drawn { { sketch::quads(&self.scene(ctx)) } }
+                    { labels.clone() }
                 </svg>
             </div>
         }
@@ -219,7 +224,7 @@ impl Canvas {
 
     /// Tells what a pointer does, and holds on to one that drags beyond the picture's edge.
     fn point(&mut self, ctx: &Context<Self>, kind: PointKind, event: &PointerEvent) {
-        let Props { shown, interactive, on_point, .. } = ctx.props();
+        let Props { shown, on_point, .. } = ctx.props();
         let Some(stage) = self.stage.cast::<Element>() else { return };
         let ours = |held: Option<i32>| held.is_none_or(|id| id == event.pointer_id());
         if !ours(self.held) || kind == PointKind::Down && event.button() != 0 {
@@ -231,14 +236,14 @@ impl Canvas {
         let y = (f64::from(event.client_y()) - rect.top()) as f32;
         let cell = fit.cell(x, y);
         match kind {
-            PointKind::Down if *interactive => {
+            PointKind::Down => {
                 self.held = Some(event.pointer_id());
                 // A pointer that is gone already needs no holding.
                 let _ = stage.set_pointer_capture(event.pointer_id());
             }
             PointKind::Move if self.held.is_none() && self.over == Some(cell) => return,
             PointKind::Up | PointKind::Leave => self.held = None,
-            PointKind::Down | PointKind::Move => {}
+            PointKind::Move => {}
         }
         self.over = (kind != PointKind::Leave).then_some(cell);
         let [x, y] = fit.point(x, y);

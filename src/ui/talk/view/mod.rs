@@ -8,6 +8,7 @@ mod room;
 mod stage;
 mod canvas;
 mod cells;
+mod over;
 mod controls;
 mod edit;
 mod teach;

@@ -2,6 +2,7 @@
 
 use super::canvas::Canvas;
 use super::cells::Cells;
+use super::over::{labels, question};
 use crate::domain::Direction;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::action::Action;
@@ -34,7 +35,8 @@ pub(super) fn stage(state: &State, shared: &Shared, act: &Callback<Action>) -> H
                 aria-describedby="room-help" data-testid="room" onkeydown={press}>
                 <Canvas shown={shown.clone()} options={overlay::options(state, shared)} step_ms={state.watch.speed.step_ms()}
                     reduced_motion={shared.preferences.reduced_motion} label={text.phrases.world(shown)}
-                    interactive={mode != Mode::Watch} on_point={act.reform(Action::Point)} />
+                    interactive={mode != Mode::Watch} on_point={act.reform(Action::Point)} labels={labels(state, shared)} />
+                { question(state, shared, act) }
             </div>
             <p id="room-help" class="unseen">{ text.keys_help(mode) }</p>
             if state.watch.playback.is_none() && mode == Mode::Watch {
