@@ -29,6 +29,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             shared.wake(Program::Talker);
             shared.want(Effect::FetchModel);
             shared.want(Effect::SetLanguage(language));
+            shared.want(Effect::Focus("command"));
         }
         Action::Prefers(preferences) => shared.preferences = preferences,
         Action::Go(to) => {

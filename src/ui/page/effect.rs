@@ -24,6 +24,8 @@ pub enum Effect {
     Copy(String),
     /// Move the keyboard's focus to an element, and bring it into view.
     Focus(&'static str),
+    /// Bring an element into view.
+    Reveal(&'static str),
     /// Offer a text to the person as a file.
     Save {
         /// The file's name.

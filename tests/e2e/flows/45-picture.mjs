@@ -59,7 +59,7 @@ for (const ratio of [1, 1.5, 3]) {
 }
 
 flow('steps glide', GLIDING, async (t) => {
-  const demo = await openPage(t);
+  const demo = await openPage(t, `${t.address}#talk`);
   await drawnBy(demo, 'webgl2');
   t.check((await stillness(demo)).includes('false'), 'the picture moves between steps');
 });
@@ -85,7 +85,7 @@ async function stillness(demo) {
 }
 
 flow('a GPU that goes away while the robot moves is replaced, and in the end done without', GLIDING, async (t) => {
-  const demo = await openPage(t);
+  const demo = await openPage(t, `${t.address}#talk`);
   await drawnBy(demo, 'webgl2');
   t.expect(/WebGL|CONTEXT_LOST|context/i);
   await demo.ask('put the yellow block in the biggest room');

@@ -104,6 +104,7 @@ impl Effects {
             }
             // The element may be in what is about to be drawn.
             Effect::Focus(id) => spawn_local(async move { host::focus(id) }),
+            Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
             Effect::Save { name, text } => save(&name, &text)?,
         }
         Ok(())

@@ -12,6 +12,9 @@ use crate::ui::talk;
 use web_sys::{Event, HtmlSelectElement};
 use yew::{Callback, Html, TargetCast, html};
 
+/// Where the source is, if whoever builds the site says so.
+const SOURCE: Option<&str> = option_env!("SOURCE_ADDRESS");
+
 /// The head of the page.
 pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
     let State { shared: Shared { depth, language, history, .. }, view, .. } = state;
@@ -61,7 +64,8 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
             if *view == View::Talk {
                 <p class="pitch">
                     { text.pitch }
-                    { for text.links.iter().map(|(words, href)| html! { <a href={*href}>{ words }</a> }) }
+                    { for text.links.iter().map(|(words, href)| html! { <>{" "}<a href={*href}>{ words }</a></> }) }
+                    if let Some(source) = SOURCE { {" "}<a href={source}>{ text.source }</a> }
                 </p>
             }
         </header>

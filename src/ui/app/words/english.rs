@@ -4,13 +4,13 @@ use super::table::Text;
 
 /// The words.
 pub(super) static ENGLISH: Text = Text {
-    pitch: "Tell a robot what to do. It learned its English from pairs of rooms, before and after, with no annotated forms. Teach it a word it lacks.",
+    pitch: "It learned its English from pairs of rooms, before and after, with no annotated forms. Teach it a word it lacks.",
     links: [
         ("How it works", "guide/learning.md"),
         ("The paper", "https://www.roboticsproceedings.org/rss11/p18.html"),
-        ("The source", "source.html"),
         ("The guide", "guide/page.md"),
     ],
+    source: "The source",
     views: "Views",
     talk: "Talk",
     train: "Train",

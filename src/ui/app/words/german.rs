@@ -4,13 +4,13 @@ use super::table::Text;
 
 /// The words.
 pub(super) static GERMAN: Text = Text {
-    pitch: "Sag einem Roboter, was er tun soll. Sein Englisch hat er aus Paaren von Räumen gelernt, vorher und nachher, ohne eine annotierte Form. Lehr ihn ein Wort, das ihm fehlt.",
+    pitch: "Sein Englisch hat er aus Paaren von Räumen gelernt, vorher und nachher, ohne eine annotierte Form. Lehr ihn ein Wort, das ihm fehlt.",
     links: [
         ("Wie das geht", "guide/learning.md"),
         ("Der Aufsatz", "https://www.roboticsproceedings.org/rss11/p18.html"),
-        ("Der Quelltext", "source.html"),
         ("Die Anleitung", "guide/page.md"),
     ],
+    source: "Der Quelltext",
     views: "Ansichten",
     talk: "Sprechen",
     train: "Trainieren",

@@ -6,7 +6,8 @@ use crate::ui::page::preferences::Depth;
 #[expect(missing_docs, reason = "the English table says what each is")]
 pub struct Text {
     pub pitch: &'static str,
-    pub links: [(&'static str, &'static str); 4],
+    pub links: [(&'static str, &'static str); 3],
+    pub source: &'static str,
     pub views: &'static str,
     pub talk: &'static str,
     pub train: &'static str,

@@ -22,12 +22,19 @@ pub(crate) fn element(id: &str) -> Option<Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
 }
 
-/// Gives an element the keyboard's focus, and scrolls it into view as little as need be.
-pub(crate) fn focus(id: &str) {
+/// Scrolls an element into view as little as need be.
+pub(crate) fn reveal(id: &str) {
     let options = ScrollIntoViewOptions::new();
     options.set_block(ScrollLogicalPosition::Nearest);
     if let Some(element) = element(id) {
         element.scroll_into_view_with_scroll_into_view_options(&options);
+    }
+}
+
+/// Gives an element the keyboard's focus, and scrolls it into view as little as need be.
+pub(crate) fn focus(id: &str) {
+    reveal(id);
+    if let Some(element) = element(id) {
         if let Ok(element) = element.dyn_into::<HtmlElement>() {
             // What cannot take the focus has at least been scrolled to.
             let _ = element.focus();

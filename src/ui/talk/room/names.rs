@@ -4,7 +4,7 @@ use crate::domain::{Bounds, Cell, State, cell_at};
 use crate::ui::page::grammar::Phrases;
 
 /// A letter's width, in cells.
-const LETTER: f32 = 0.185;
+const LETTER: f32 = 0.18;
 
 /// A name on a wall.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub fn names(world: &State, phrases: &dyn Phrases) -> Vec<Name> {
             let cells = (text.chars().count() as f32 * LETTER).ceil() as i32;
             let (x, y) = free(world, room.bounds, cells, &taken)?;
             taken.extend((x..x + cells).map(|x| (x, y)));
-            Some(Name { x: x as f32 - 0.4, y, text })
+            Some(Name { x: x as f32 - 0.42, y, text })
         })
     });
     names.collect()

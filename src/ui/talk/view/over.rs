@@ -23,7 +23,7 @@ pub(super) fn labels(state: &State, shared: &Shared) -> Html {
     html! {
         <>
             { for names(shown, Text::of(shared.language).phrases).into_iter().map(|name| html! {
-                <text class="room-name" x={name.x.to_string()} y={(-name.y).to_string()} font-size=".31">{ name.text }</text>
+                <text class="room-name" x={name.x.to_string()} y={(-name.y).to_string()} font-size=".28">{ name.text }</text>
             }) }
             if is_watched { { for things.map(|(x, y)| html! {
                 <circle class="handle" cx={x.to_string()} cy={(-y).to_string()} r=".5" />

@@ -45,9 +45,12 @@ pub(super) fn room(state: &State, shared: &Shared, act: &Callback<Action>) -> Ht
                 </div>
             </div>
             if mode == Mode::Edit { { tools(state, shared, act) } }
-            { stage(state, shared, act) }
+            <div id="scene">
+                { stage(state, shared, act) }
+                if mode == Mode::Watch { { controls(state, shared, act) } }
+            </div>
             { match mode {
-                Mode::Watch => controls(state, shared, act),
+                Mode::Watch => Html::default(),
                 Mode::Edit => worlds(state, shared, act),
                 Mode::Teach => lesson(state, shared, act),
             } }

@@ -46,9 +46,20 @@ pub(super) fn stage(state: &State, shared: &Shared, act: &Callback<Action>) -> H
     }
 }
 
-/// The room cell by cell, for those who do not see the picture.
+/// What lies below it all: the room cell by cell, for those who do not see the picture, and which model reads.
 pub(super) fn cells(state: &State, shared: &Shared) -> Html {
-    html! { <Cells shown={state.shown(shared).clone()} language={shared.language} /> }
+    let text = Text::of(shared.language);
+    let model = shared.document.model.as_ref();
+    html! {
+        <div class="below">
+            <Cells shown={state.shown(shared).clone()} language={shared.language} />
+            if let Some(model) = model {
+                <p class="dim" data-testid="model-in-use">
+                    { (text.model_in_use)(&model.origin, model.report.entries, shared.document.lessons.len()) }
+                </p>
+            }
+        </div>
+    }
 }
 
 fn key(name: &str, shift: bool) -> Option<Key> {

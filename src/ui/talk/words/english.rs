@@ -1,6 +1,7 @@
 //! The Talk page in English; what each word is for stands here for all languages.
 
 use super::table::{Faults, Helps, Text};
+use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::English;
 use crate::ui::talk::room::edit::Obstacle;
 
@@ -164,6 +165,15 @@ pub(super) static ENGLISH: Text = Text {
     ],
     worlds: ["Three rooms", "Hall", "Store", "Locked doors"],
     cell_by_cell: "Cell by cell",
+    model_in_use: |origin, entries, lessons| {
+        let own = match origin {
+            Origin::Shipped => "the page’s own".to_owned(),
+            Origin::Trained(corpus) => format!("trained here on {corpus}"),
+            Origin::File => "from a file".to_owned(),
+        };
+        let taught = if lessons > 0 { format!(", taught {lessons}") } else { String::new() };
+        format!("Model: {own}, {entries} entries{taught}")
+    },
     cells_caption: "The room, from the north row to the south, cells from the west.",
 
     the_plan: "The plan",

@@ -1,6 +1,7 @@
 //! The Talk page in German. Commands stay English: the parser has learned no other.
 
 use super::table::{Faults, Helps, Text};
+use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::German;
 use crate::ui::talk::room::edit::Obstacle;
 use crate::worker::protocol::Why;
@@ -167,6 +168,15 @@ pub(super) static GERMAN: Text = Text {
     ],
     worlds: ["Drei Räume", "Flur", "Lager", "Verschlossene Türen"],
     cell_by_cell: "Feld für Feld",
+    model_in_use: |origin, entries, lessons| {
+        let own = match origin {
+            Origin::Shipped => "das der Seite".to_owned(),
+            Origin::Trained(corpus) => format!("hier trainiert mit {corpus}"),
+            Origin::File => "aus einer Datei".to_owned(),
+        };
+        let taught = if lessons > 0 { format!(", gelehrt: {lessons}") } else { String::new() };
+        format!("Modell: {own}, {entries} Einträge{taught}")
+    },
     cells_caption: "Der Raum, von der nördlichen Zeile zur südlichen, Felder von Westen.",
 
     the_plan: "Der Plan",

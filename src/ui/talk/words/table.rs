@@ -1,5 +1,6 @@
 //! What a language has to have a word for on the Talk page.
 
+use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::Phrases;
 use crate::ui::talk::room::edit::Obstacle;
 use crate::ui::talk::room::state::{Mode, Tool};
@@ -77,6 +78,7 @@ pub struct Text {
     pub modes: [(&'static str, &'static str, &'static str); Mode::ALL.len()],
     pub worlds: [&'static str; 4],
     pub cell_by_cell: &'static str,
+    pub model_in_use: fn(&Origin, usize, usize) -> String,
     pub cells_caption: &'static str,
 
     // The plan.
