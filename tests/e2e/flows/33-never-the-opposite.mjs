@@ -27,13 +27,13 @@ flow('a room that is forbidden is not gone to, and one to leave is left', async 
   const demo = await openPage(t);
   const before = await demo.robot();
   await demo.ask('do not go to the blue room');
-  t.equal(await demo.plain(), 'The robot is outside the blue room.', 'what it understood');
+  t.equal(await demo.plain(), 'I will stay out of the blue room.', 'what it understood');
   t.equal(await demo.why(), ['keeps'], 'why nothing moves');
   t.check(/^I stay out of the blue room\./.test(await told(demo, 'keeps')), await told(demo, 'keeps'));
   t.equal(await demo.robot(), before, 'where the robot stays');
   await demo.says(/I stay out of the blue room/);
   await demo.ask('leave the green room');
-  t.equal(await demo.plain(), 'The robot is outside the green room.', 'what it understood');
+  t.equal(await demo.plain(), 'I will stay out of the green room.', 'what it understood');
   await demo.finish();
   t.check((await demo.robot()).room !== 'green', 'the robot has left');
   await demo.ask('do not go to the yellow room');
@@ -54,7 +54,7 @@ flow('half a command is told and offered, and not done by itself', async (t) => 
   t.check(out.some((word) => word.startsWith('then')), `struck through: ${out}`);
   await t.accessible('half a command');
   const just = demo.help('just');
-  t.equal(await just.textContent(), 'Do just this: The robot is in the red room.', 'what is offered');
+  t.equal(await just.textContent(), 'Do just this: go to the red room', 'what is offered');
   await just.click();
   await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
   await demo.finish();
@@ -69,7 +69,7 @@ flow('half a command is told and offered, and not done by itself', async (t) => 
 flow('a shade is the colour most like it, and an unknown noun what lies near it', async (t) => {
   const demo = await openWith(t);
   await demo.ask('go to the violet room');
-  t.equal(await demo.plain(), 'The robot is in the violet room.', 'what it understood');
+  t.equal(await demo.plain(), 'I will go to the violet room.', 'what it understood');
   t.equal(await demo.why(), ['taken'], 'what is said');
   t.equal(await told(demo, 'taken'), 'I take “violet” for “blue”. ', 'what it takes it for');
   await demo.says(/I take “violet” for “blue”/);

@@ -25,10 +25,10 @@ flow('the page speaks German where the browser does', { locale: 'de-DE' }, async
   t.equal(await demo.page.locator('html').getAttribute('lang'), 'de', 'the language');
   await demo.ask('go to the blue room');
   await demo.finish();
-  t.equal(await demo.plain(), 'Der Roboter ist im blauen Raum.', 'in plain words');
+  t.equal(await demo.plain(), 'Ich werde in den blauen Raum gehen.', 'in plain words');
   await t.accessible('the page in German');
   await t.fits('the page in German');
   await t.shot('german');
   await demo.by('language').selectOption('en');
-  t.equal(await demo.plain(), 'The robot is in the blue room.', 'in English');
+  t.equal(await demo.plain(), 'I will go to the blue room.', 'in English');
 });

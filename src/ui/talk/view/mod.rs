@@ -7,6 +7,8 @@ mod choices;
 mod room;
 mod stage;
 mod canvas;
+mod observer;
+mod pace;
 mod cells;
 mod over;
 mod controls;

@@ -33,7 +33,8 @@ pub(super) fn stage(state: &State, shared: &Shared, act: &Callback<Action>) -> H
         <>
             <div class="room-keys" tabindex="0" role="application" aria-label={text.room_keys}
                 aria-describedby="room-help" data-testid="room" onkeydown={press}>
-                <Canvas shown={shown.clone()} options={overlay::options(state, shared)} step_ms={state.watch.speed.step_ms()}
+                <Canvas shown={shown.clone()} options={overlay::options(state, shared)} playing={state.watch.playback.as_ref().is_some_and(|plan| plan.playing())}
+                    step_ms={state.watch.speed.step_ms()}
                     reduced_motion={shared.preferences.reduced_motion} label={text.phrases.world(shown)}
                     interactive={mode != Mode::Watch} on_point={act.reform(Action::Point)} labels={labels(state, shared)} />
                 { question(state, shared, act) }
