@@ -7,7 +7,7 @@ pub(super) static ENGLISH: Text = Text {
     pitch: "It learned its English from pairs of rooms, before and after, with no annotated forms. Teach it a word it lacks.",
     links: [
         ("How it works", "guide/learning.md"),
-        ("The paper", "https://www.roboticsproceedings.org/rss11/p18.html"),
+        ("The paper", "https://doi.org/10.1109/ICRA.2018.8460937"),
         ("The guide", "guide/page.md"),
     ],
     source: "The source",

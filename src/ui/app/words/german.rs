@@ -7,7 +7,7 @@ pub(super) static GERMAN: Text = Text {
     pitch: "Sein Englisch hat er aus Paaren von Räumen gelernt, vorher und nachher, ohne eine annotierte Form. Lehr ihn ein Wort, das ihm fehlt.",
     links: [
         ("Wie das geht", "guide/learning.md"),
-        ("Der Aufsatz", "https://www.roboticsproceedings.org/rss11/p18.html"),
+        ("Der Aufsatz", "https://doi.org/10.1109/ICRA.2018.8460937"),
         ("Die Anleitung", "guide/page.md"),
     ],
     source: "Der Quelltext",
