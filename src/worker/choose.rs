@@ -5,7 +5,6 @@
 
 use super::protocol::{Claim, Fate, Reading, Refers, Taken, Word};
 use crate::ccg::{Parse, Reason};
-use std::collections::BTreeSet;
 
 /// Readings that are asked about at once.
 const MOST_CHOICES: usize = 3;
@@ -78,13 +77,18 @@ pub(super) fn choices(
 fn is_same(one: &Reading, other: &Reading) -> bool {
     let holds = !one.cells.is_empty() && one.cells == other.cells;
     one.claim == other.claim
-        || holds && refers(one) && refers(other) && things(one) == things(other)
+        || holds && refers(one) && refers(other) && is_about(one, other) && is_about(other, one)
+}
+
+/// Whether all things that a reading is about are where one is that the other is about.
+fn is_about(one: &Reading, other: &Reading) -> bool {
+    cells(one).all(|cell| cells(other).any(|other| cell == other))
 }
 
 /// Where the things are that a reading is about.
-fn things(reading: &Reading) -> BTreeSet<&[(i32, i32)]> {
+fn cells(reading: &Reading) -> impl Iterator<Item = &[(i32, i32)]> {
     let referents = reading.phrases.iter().flat_map(|phrase| &phrase.referents);
-    referents.map(|referent| &*referent.cells).collect()
+    referents.map(|referent| &*referent.cells)
 }
 
 /// Whether a word was used, or means nothing by itself: not left out, and no word that turns round, joins or orders

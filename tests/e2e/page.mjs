@@ -72,6 +72,21 @@ export class Demo {
       + (await this.by('ask-notice').count()) > 0);
   }
 
+  /** Waits until the commands to try are those of the room on view; returns the test id and the words of each. */
+  async examples() {
+    const seen = async () => Promise.all((await this.page.locator('.chip').all()).map(async (chip) =>
+      [await chip.getAttribute('data-testid'), (await chip.textContent()).trim()]));
+    await this.page.waitForTimeout(400);
+    let last;
+    await this.t.until('commands to try', async () => {
+      const [before, now] = [last, JSON.stringify(await seen())];
+      last = now;
+      await this.page.waitForTimeout(250);
+      return before === now && /example-5/.test(now);
+    });
+    return JSON.parse(last);
+  }
+
   /** Waits until the command is planned for; a question on the way is answered with its first reading. */
   async planned() {
     await this.t.until('a plan or a question', async () =>

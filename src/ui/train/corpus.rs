@@ -2,7 +2,7 @@
 //! and which of its rows are open.
 
 use crate::worker::protocol::{CorpusReport, PairText};
-use std::collections::BTreeMap;
+use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
 /// The name of the page's own corpus.
@@ -25,7 +25,7 @@ pub struct Corpus {
     /// The file's text.
     pub text: Rc<str>,
     /// The demonstrations of rows that have been asked for.
-    pub pairs: BTreeMap<usize, Rc<Vec<PairText>>>,
+    pub pairs: FxHashMap<usize, Rc<Vec<PairText>>>,
     /// The row whose demonstrations are all shown.
     pub open: Option<usize>,
     /// How many rows are shown.
@@ -39,7 +39,7 @@ impl Corpus {
         Corpus {
             report: Rc::new(report),
             text: text.into(),
-            pairs: BTreeMap::new(),
+            pairs: FxHashMap::default(),
             open: None,
             shown,
         }

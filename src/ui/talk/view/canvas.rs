@@ -11,10 +11,8 @@ use crate::ui::page::grammar::room_at;
 use crate::ui::page::place::one_step;
 use crate::ui::page::view::{host, sketch};
 use crate::ui::talk::room::point::{Point, PointKind};
-use wasm_bindgen::JsCast;
-use wasm_bindgen::prelude::Closure;
 use wasm_bindgen_futures::spawn_local;
-use web_sys::{Element, HtmlCanvasElement, PointerEvent, ResizeObserver};
+use web_sys::{Element, HtmlCanvasElement, PointerEvent};
 use yew::{AttrValue, Callback, Component, Context, Html, NodeRef, Properties, classes, html};
 
 /// A step glides for this share of the time that it lasts.

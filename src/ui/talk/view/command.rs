@@ -4,7 +4,7 @@ use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::ask::is_asking;
-use crate::ui::talk::command::examples::Examples;
+use crate::ui::talk::command::examples::{Examples, KINDS};
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
 use web_sys::{HtmlInputElement, SubmitEvent};
@@ -52,15 +52,18 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
     }
 }
 
-/// Commands to try; the last one is there to be taught.
+/// The order that commands to try are shown in: what is to be taught comes early, lest it be out of sight.
+const SHOWN: [usize; KINDS] = [0, 1, Examples::TAUGHT, 2, 3, 4];
+
+/// Commands to try; one is there to be taught.
 pub(super) fn examples(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let can_ask = shared.can_ask();
-    let found = state.command_examples.found.iter().enumerate();
+    let found = &state.command_examples.found;
     html! {
         <div class="chips" id="say-hint">
             <span class="dim">{ if can_ask { text.try_this } else { text.getting_ready } }</span>
-            { for found.filter_map(|(place, command)| Some((place, command.clone()?))).map(|(place, command)| {
+            { for SHOWN.iter().filter_map(|&place| Some((place, found.get(place)?.clone()?))).map(|(place, command)| {
                 let is_new = place == Examples::TAUGHT;
                 html! {
                     <button type="button" class={classes!("chip", is_new.then_some("new"))} lang="en" disabled={!can_ask}
