@@ -74,8 +74,8 @@ export class Demo {
 
   /** Waits until the commands to try are those of the room on view; returns the test id and the words of each. */
   async examples() {
-    const seen = async () => Promise.all((await this.page.locator('.chip').all()).map(async (chip) =>
-      [await chip.getAttribute('data-testid'), (await chip.textContent()).trim()]));
+    const seen = () => this.page.evaluate(() => [...document.querySelectorAll('.chip')].map((chip) =>
+      [chip.dataset.testid, chip.textContent.trim()]));
     await this.page.waitForTimeout(400);
     let last;
     await this.t.until('commands to try', async () => {

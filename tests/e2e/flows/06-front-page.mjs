@@ -114,7 +114,7 @@ flow('what is dragged is asked about where it lies: moved, put back, taught', as
   await demo.press('moved-teach');
   t.equal(await demo.by('mode-teach').getAttribute('aria-pressed'), 'true', 'it is a lesson');
   t.check(/yellow block in the blue room/.test(await demo.world()), 'what is shown');
-  await demo.page.keyboard.type('stow the block');
+  await demo.page.keyboard.type('stow the block in the blue room');
   await demo.page.keyboard.press('Enter');
   await demo.by('learned').waitFor();
 });
