@@ -123,7 +123,7 @@ flow('what is doubtful is asked, answered by keys, and remembered', async (t) =>
   await t.until('it is learned', async () => (await demo.by('lessons').count()) > 0);
   t.check(/put all blocks in the blue room/.test(await demo.by('lessons').textContent()), 'the lesson');
   t.equal(await demo.by('remember').count(), 0, 'it is kept once');
-  await demo.ask('walk next to the block');
+  await demo.ask('go to the green room');
   await demo.planned();
   t.equal(await demo.by('question').count(), 0, 'questions where one reading alone can be meant');
   await demo.press('undo');

@@ -18,6 +18,8 @@ pub const KINDS: usize = 6;
 pub struct Examples {
     /// One a kind, as far as there are.
     pub found: [Option<String>; KINDS],
+    /// What has been found so far: shown when all is there, lest a button moves away under a hand.
+    coming: [Option<String>; KINDS],
     /// The room that they are for, its rules, and how much was taught.
     of: Option<(World, WorldRules, usize)>,
     number: u32,
@@ -57,8 +59,9 @@ pub fn keep_up(state: &mut State, shared: &mut Shared) {
 }
 
 /// The room has come to rest, unless another timer was started meanwhile.
-pub fn rang(state: &State, shared: &mut Shared, number: u32) {
+pub fn rang(state: &mut State, shared: &mut Shared, number: u32) {
     if number == state.command_examples.number {
+        state.command_examples.coming = Default::default();
         shared.talker.retain(|request| !matches!(request, Request::Example { .. }));
         look(shared, 0);
     }
@@ -78,13 +81,13 @@ pub fn came(state: &mut State, shared: &mut Shared, wanted: &Wanted, command: Op
     let Some(place) = places.find(|&place| kind(shared, place).as_ref() == Some(wanted)) else {
         return;
     };
-    let found = &mut state.command_examples.found;
-    let is_new = !found[..place].contains(&command);
-    found[place] = command.filter(|_| is_new);
+    let Examples { found, coming, .. } = &mut state.command_examples;
+    let is_new = !coming[..place].contains(&command);
+    coming[place] = command.filter(|_| is_new);
     // In a room of one's own the last but one would be the second again.
     let next = if place == 3 && shared.document.preset.is_none() { 5 } else { place + 1 };
-    if next == 5 && place == 3 {
-        found[4] = None;
+    if next == KINDS {
+        *found = std::mem::take(coming);
     }
     look(shared, next);
 }
