@@ -65,7 +65,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             hear::told(state, program, news);
         }
         Action::Rang(Timer::Examples(number)) => examples::rang(talk, shared, number),
-        Action::Rang(Timer::Demo(number)) => talk::demo::rang(talk, shared, number),
+        Action::Rang(Timer::Demo(number)) => talk::demo::run::rang(talk, shared, number),
         Action::Rang(Timer::Play(play)) => talk::watch::play::rang(talk, shared, play),
         Action::Fetched(text) => model::fetched(shared, text),
         Action::FetchedWords(text) => {
@@ -74,7 +74,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             }
         }
     }
-    talk::demo::begin(&mut state.talk, &mut state.shared);
+    talk::demo::run::begin(&mut state.talk, &mut state.shared);
     examples::keep_up(&mut state.talk, &mut state.shared);
     state.shared.take_wanted()
 }

@@ -37,7 +37,7 @@ pub const WORLDS: [Choice; 4] = [
     },
     Choice {
         name: Name::Store,
-        example: "put the large box in the red room",
+        example: "take the magenta box to the red room",
         json: include_str!("../../../assets/worlds/store.json"),
     },
     Choice {

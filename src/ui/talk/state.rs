@@ -1,8 +1,8 @@
 //! The state of the Talk page: that of its parts, and what is to be seen of it all together.
 
-use super::command::examples::Examples;
+use super::command::offer::Examples;
 use super::command::state::Command;
-use super::demo::Demo;
+use super::demo::state::Demo;
 use super::room::state::{Mode, Room};
 use super::share::state::{Resume, Sharing};
 use super::teach::state::Teach;

@@ -4,7 +4,7 @@
 use super::action::Action;
 use super::command::state::Command;
 use super::command::{ask, study};
-use super::demo;
+use super::demo::run;
 use super::room::{hand, moved, worlds};
 use super::share::exchange;
 use super::share::state::Sharing;
@@ -21,8 +21,8 @@ use crate::worker::protocol::Program;
 /// Does what a person wants.
 pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
     match action {
-        Action::Demo => demo::want(state, shared),
-        Action::Touched => demo::end(state, shared),
+        Action::Demo => run::want(state, shared),
+        Action::Touched => run::end(state, shared),
         Action::Typed(command) => ask::typed(state, shared, &command),
         Action::Ask => ask::ask(state, shared),
         Action::AskExample(command) => ask::ask_for(state, shared, command),

@@ -1,7 +1,8 @@
 //! Numbers are read as std reads them, to the last bit.
 
 use groundling::ccg::number;
-use proptest::prelude::*;
+use proptest::prelude::{any, prop_assert, prop_assert_eq, prop_assume};
+use proptest::proptest;
 
 /// What std reads, if it is finite.
 fn std(text: &str) -> Option<u64> {

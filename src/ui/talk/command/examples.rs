@@ -1,34 +1,14 @@
 //! Commands to try in the room as it stands, one a kind: the engine looks for them whenever the room has come to rest.
 
-use crate::domain::State as World;
+use super::offer::{Examples, KINDS};
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::shared::Shared;
 use crate::ui::page::world::WORLDS;
 use crate::ui::talk::state::State;
-use crate::worker::protocol::{Request, Wanted, WorldRules};
+use crate::worker::protocol::{Request, Wanted};
 
 /// Milliseconds that the room has to rest.
 const REST_MS: u32 = 300;
-
-/// How many kinds there are.
-pub const KINDS: usize = 6;
-
-/// The commands to try.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Examples {
-    /// One a kind, as far as there are.
-    pub found: [Option<String>; KINDS],
-    /// What has been found so far: shown when all is there, lest a button moves away under a hand.
-    coming: [Option<String>; KINDS],
-    /// The room that they are for, its rules, and how much was taught.
-    of: Option<(World, WorldRules, usize)>,
-    number: u32,
-}
-
-impl Examples {
-    /// The one that is to be taught.
-    pub const TAUGHT: usize = KINDS - 1;
-}
 
 /// The kind at a place. The room's own stands second: the plainest first.
 fn kind(shared: &Shared, place: usize) -> Option<Wanted> {

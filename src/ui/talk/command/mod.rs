@@ -2,6 +2,7 @@
 
 pub mod link;
 pub mod state;
+pub mod offer;
 pub mod ask;
 pub mod examples;
 pub mod study;

@@ -1,11 +1,11 @@
 //! What a person does in the room with a pointer or with keys: point, drag, paint, drive.
 
 use super::edit::{self, Obstacle};
-use super::moved;
 use super::point::{Key, Point, PointKind};
-use super::state::{Held, Mode, Tool};
+use super::state::{Held, Mode, Moved, QUESTION, Tool};
 use crate::domain::State as World;
 use crate::render::Thing;
+use crate::ui::page::effect::Effect;
 use crate::ui::page::place::{Place, inside, item_at};
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::{ask, link};
@@ -162,11 +162,19 @@ fn release(state: &mut State, shared: &mut Shared, held: Option<Held>, cell: Pla
         (None, ..) => return,
     };
     match (changed, state.room.mode) {
-        (Ok(world), Mode::Watch) => moved::put(state, shared, world, cell),
+        (Ok(world), Mode::Watch) => put_down(state, shared, world, cell),
         // It goes back where it was.
         (Err(_), Mode::Watch) => {}
         (changed, _) => change(state, shared, changed),
     }
+}
+
+/// Something was put down in the room that is watched.
+fn put_down(state: &mut State, shared: &mut Shared, world: World, at: Place) {
+    state.settle(shared);
+    state.watch.forget();
+    state.room.moved = Some(Moved { world, at });
+    shared.want(Effect::Focus(QUESTION));
 }
 
 /// Takes a change over, or says why it could not be made. The command in the box is read again in another world.

@@ -1,24 +1,10 @@
 //! Something was taken elsewhere in the room that is watched: what that is to mean is asked where it was put down.
 
 use super::hand;
-use super::state::Mode;
-use crate::domain::State as World;
+use super::state::{Mode, Moved};
 use crate::ui::page::effect::Effect;
-use crate::ui::page::place::Place;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::state::State;
-
-/// The element that is asked with.
-pub const QUESTION: &str = "moved-teach";
-
-/// What was taken elsewhere.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Moved {
-    /// The world with that.
-    pub world: World,
-    /// Where it was put down.
-    pub at: Place,
-}
 
 /// What it is to mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,14 +15,6 @@ pub enum Meant {
     World,
     /// Nothing.
     Nothing,
-}
-
-/// Something was put down.
-pub(super) fn put(state: &mut State, shared: &mut Shared, world: World, at: Place) {
-    state.settle(shared);
-    state.watch.forget();
-    state.room.moved = Some(Moved { world, at });
-    shared.want(Effect::Focus(QUESTION));
 }
 
 /// The person says what it means.

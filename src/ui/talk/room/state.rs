@@ -1,8 +1,7 @@
 //! The state of the room: what it is for, what a person holds in it, and what other worlds are to be like.
 
 use super::edit::{Look, Obstacle};
-use super::moved::Moved;
-use crate::domain::{Blueprint, Color, Shape};
+use crate::domain::{Blueprint, Color, Shape, State as World};
 use crate::render::Thing;
 use crate::ui::page::place::Place;
 
@@ -51,6 +50,18 @@ pub enum Held {
     Item(Thing, [f32; 2]),
     /// A corner of a room that is painted.
     Corner(Place),
+}
+
+/// The element that is asked with.
+pub const QUESTION: &str = "moved-teach";
+
+/// What was taken elsewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// The world with that.
+    pub world: World,
+    /// Where it was put down.
+    pub at: Place,
 }
 
 /// The room's side of the page.

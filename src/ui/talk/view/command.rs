@@ -4,7 +4,7 @@ use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::ask::is_asking;
-use crate::ui::talk::command::examples::{Examples, KINDS};
+use crate::ui::talk::command::offer::{Examples, KINDS};
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
 use web_sys::{HtmlInputElement, SubmitEvent};

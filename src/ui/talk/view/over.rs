@@ -4,9 +4,9 @@
 use crate::render::Extent;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::action::Action;
-use crate::ui::talk::room::moved::{Meant, QUESTION};
+use crate::ui::talk::room::moved::Meant;
 use crate::ui::talk::room::names::names;
-use crate::ui::talk::room::state::Mode;
+use crate::ui::talk::room::state::{Mode, QUESTION};
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
 use yew::{Callback, Html, html};

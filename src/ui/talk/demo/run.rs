@@ -1,34 +1,19 @@
 //! What the page does by itself for who has just come: one command is typed, letter by letter, sent, and done. It ends
 //! at the first key or touch, and is not begun for who prefers less motion, opened a link, or did something already.
 
-use super::command::ask;
-use super::state::State;
-use super::watch::play;
+use super::state::Demo;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::shared::Shared;
 use crate::ui::page::world::WORLDS;
+use crate::ui::talk::command::ask;
+use crate::ui::talk::state::State;
+use crate::ui::talk::watch::play;
 
 /// Milliseconds before the first letter, from letter to letter, and before it is sent.
 const WAITS: [u32; 3] = [1_000, 55, 900];
 
-/// How far it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Demo {
-    /// Nobody asked for it.
-    #[default]
-    Unwanted,
-    /// It begins as soon as a command can be sent.
-    Wanted,
-    /// So many letters stand there.
-    Typing(usize),
-    /// It was sent.
-    Doing,
-    /// It is over.
-    Over,
-}
-
 /// It is wanted, unless something was done already.
-pub(super) fn want(state: &mut State, shared: &mut Shared) {
+pub(crate) fn want(state: &mut State, shared: &mut Shared) {
     if state.demo == Demo::Unwanted && !shared.preferences.reduced_motion {
         state.demo = Demo::Wanted;
         begin(state, shared);
@@ -68,7 +53,7 @@ pub fn rang(state: &mut State, shared: &mut Shared, number: u32) {
 }
 
 /// A person has touched the page: it is theirs from now on.
-pub(super) fn end(state: &mut State, shared: &mut Shared) {
+pub(crate) fn end(state: &mut State, shared: &mut Shared) {
     match std::mem::replace(&mut state.demo, Demo::Over) {
         Demo::Typing(_) => ask::typed(state, shared, ""),
         Demo::Doing => {
