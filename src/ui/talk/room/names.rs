@@ -22,7 +22,7 @@ pub fn names(world: &State, phrases: &dyn Phrases) -> Vec<Name> {
     let mut taken: Vec<(i32, i32)> = Vec::new();
     let names = world.rooms.iter().filter_map(|room| {
         let color = phrases.color(room.color);
-        let letter = color.get(..1).unwrap_or_default().to_uppercase();
+        let letter = color.get(..1).unwrap_or_default().to_ascii_uppercase();
         [phrases.room(room.color), color.to_owned(), letter].into_iter().find_map(|text| {
             let cells = (text.chars().count() as f32 * LETTER).ceil() as i32;
             let (x, y) = free(world, room.bounds, cells, &taken)?;
