@@ -108,8 +108,9 @@ flow('what is dragged is asked about where it lies: moved, put back, taught', as
   await demo.drag([8, 6], [2, 6]);
   await demo.press('moved-keep');
   t.check(/yellow block in the blue room/.test(await demo.world()), 'moved');
+  await t.until('it can be undone', () => demo.by('undo').isEnabled());
   await demo.press('undo');
-  t.equal(await demo.world(), start, 'undone');
+  await t.until('it is undone', async () => (await demo.world()) === start);
   await demo.drag([8, 6], [2, 6]);
   await demo.press('moved-teach');
   t.equal(await demo.by('mode-teach').getAttribute('aria-pressed'), 'true', 'it is a lesson');
