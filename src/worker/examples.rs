@@ -3,7 +3,7 @@
 
 use super::ask::answer;
 use super::plan::{Begun, Planning};
-use super::protocol::{Event, Fate, Wanted, WorldRules};
+use super::protocol::{Event, Fate, PlanText, Wanted, WorldRules};
 use super::read::parsed;
 use crate::ccg::Model;
 use crate::domain::{Object, Room, State};
@@ -38,9 +38,7 @@ impl Looking {
     pub(super) fn step(&mut self, model: &mut Model) -> Option<Event> {
         if let Some((command, mut planning, steps)) = self.planning.take() {
             match planning.step() {
-                Some(plan) if plan.reached && (2..=MOST_STEPS).contains(&plan.actions.len()) => {
-                    return Some(self.found(Some(command)));
-                }
+                Some(plan) if self.shows(&plan) => return Some(self.found(Some(command))),
                 None if steps < PATIENCE => self.planning = Some((command, planning, steps + 1)),
                 _ => {}
             }
@@ -60,14 +58,16 @@ impl Looking {
         let goal = Goal::new(&model.grammar.terms, best.form, &self.state).ok()?;
         match Planning::begin(&goal, &self.state, &self.rules).ok()? {
             Begun::Work(planning) => self.planning = Some((command, planning, 0)),
-            // That a room shows what cannot be done is worth a try, too.
-            Begun::Done(plan) => {
-                let is_barred = plan.reason.as_deref() == Some("unreachable");
-                let is_told = matches!(self.wanted, Wanted::Said(_));
-                return (is_barred && is_told).then(|| self.found(Some(command)));
-            }
+            Begun::Done(plan) => return self.shows(&plan).then(|| self.found(Some(command))),
         }
         None
+    }
+
+    /// Whether a plan is worth to be seen; that a room has something that cannot be done is, too.
+    fn shows(&self, plan: &PlanText) -> bool {
+        let is_barred = plan.reason.as_deref() == Some("unreachable");
+        plan.reached && (2..=MOST_STEPS).contains(&plan.actions.len())
+            || is_barred && matches!(self.wanted, Wanted::Said(_))
     }
 
     fn found(&self, command: Option<String>) -> Event {
