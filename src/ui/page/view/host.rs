@@ -34,11 +34,9 @@ pub(crate) fn reveal(id: &str) {
 /// Gives an element the keyboard's focus, and scrolls it into view as little as need be.
 pub(crate) fn focus(id: &str) {
     reveal(id);
-    if let Some(element) = element(id) {
-        if let Ok(element) = element.dyn_into::<HtmlElement>() {
-            // What cannot take the focus has at least been scrolled to.
-            let _ = element.focus();
-        }
+    if let Some(Ok(element)) = element(id).map(|element| element.dyn_into::<HtmlElement>()) {
+        // What cannot take the focus has at least been scrolled to.
+        let _ = element.focus();
     }
 }
 
