@@ -88,12 +88,12 @@ flow('a GPU that goes away while the robot moves is replaced, and in the end don
   const demo = await openPage(t, `${t.address}#talk`);
   await drawnBy(demo, 'webgl2');
   t.expect(/WebGL|CONTEXT_LOST|context/i);
-  await demo.ask('put the yellow block in the biggest room');
   await lose(demo);
   await t.until('a fresh canvas', async () =>
     demo.by('stage').locator('canvas').evaluate((canvas) => !canvas.getContext('webgl2')?.isContextLost()));
   await drawnBy(demo, 'webgl2');
   t.check(colours(await demo.by('stage').screenshot()) > 20, 'drawn again');
+  await demo.ask('put the yellow block in the biggest room');
   await lose(demo);
   await drawnBy(demo, 'svg');
   t.check(colours(await demo.by('stage').screenshot()) > 20, 'drawn by the page itself');

@@ -6,8 +6,10 @@ import { openPage } from '../page.mjs';
 flow('the keyboard alone asks, plays and steps', async (t) => {
   const demo = await openPage(t);
   const { keyboard } = demo.page;
-  await keyboard.press('Tab');
-  t.equal(await demo.page.evaluate(() => document.activeElement.className), 'skip', 'the first stop');
+  t.equal(await demo.page.evaluate(() => document.activeElement.id), 'command', 'where one begins');
+  await demo.reach('view-talk');
+  await keyboard.press('Shift+Tab');
+  t.equal(await demo.page.evaluate(() => document.activeElement.className), 'skip', 'before all else');
   await keyboard.press('Enter');
   await demo.reach('command');
   await keyboard.type('go to the blue room');
