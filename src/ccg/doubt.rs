@@ -2,6 +2,7 @@
 //! far the best reading leads, what was left out, and what the goal speaks of. The map is learned by `learn::calibrate` and
 //! lives in the model.
 
+use super::number::number;
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
@@ -44,8 +45,7 @@ impl Doubt {
     /// # Errors
     /// In words, when the value is no finite number.
     pub fn read_line(&mut self, sign: &str, value: &str) -> Result<(), String> {
-        let number = value.parse().ok().filter(|value: &f64| value.is_finite());
-        let number = number.ok_or_else(|| format!("{value:?} is no finite number"))?;
+        let number = number(value).ok_or_else(|| format!("{value:?} is no finite number"))?;
         match sign {
             THRESHOLD => self.threshold = number,
             _ => drop(self.weights.insert(sign.to_owned(), number)),

@@ -7,6 +7,7 @@ use super::doubt::Doubt;
 use super::features::{Feature, Features};
 use super::general::General;
 use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
+use super::number::number;
 use super::syntax::Atom;
 use crate::logic::{ConstantId, LogicError, Signature, Sorts, TermId, print, read, ty};
 use indexmap::IndexMap;
@@ -239,10 +240,7 @@ impl Model {
                 self.read_entry(words, constants, template, origin)?;
             }
             [kind @ ("weight" | "drift"), ref feature @ .., text] => {
-                let value: f64 = text.parse().map_err(|_| format!("{text:?} is no number"))?;
-                if !value.is_finite() {
-                    return Err(format!("the {kind} {text} is not finite"));
-                }
+                let value = number(text).ok_or_else(|| format!("{text:?} is no finite number"))?;
                 let feature = self.read_feature(feature)?;
                 match kind {
                     "weight" => self.features.set(feature, value),

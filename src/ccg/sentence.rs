@@ -19,7 +19,7 @@ pub fn words(command: &str) -> Vec<String> {
 /// program that needs none of its own is a tenth smaller.
 pub fn composed_words(command: &str) -> Vec<String> {
     let straight = command.chars().map(|c| if c == '\u{2019}' { '\'' } else { c });
-    let text: String = straight.flat_map(char::to_lowercase).collect();
+    let text: String = straight.map(lower).collect();
     let mut words = Vec::new();
     let is_outer = |c: char| !c.is_alphanumeric();
     for token in text.split(is_separator) {
@@ -58,6 +58,23 @@ fn cut(words: &mut Vec<String>) {
         if left == 0 {
             return words.truncate(at + 1);
         }
+    }
+}
+
+/// A letter in lower case, in the Latin, Greek and Cyrillic alphabets: the tables for all that there are would be a
+/// twentieth of what the page loads.
+const fn lower(c: char) -> char {
+    let apart = match c {
+        'A'..='Z' | 'À'..='Ö' | 'Ø'..='Þ' | 'Α'..='Ρ' | 'Σ'..='Ϋ' | 'А'..='Я' => 32,
+        'Ѐ'..='Џ' => 80,
+        'Ā'..='į' | 'Ĳ'..='ķ' | 'Ŋ'..='ŷ' => 1 - c as u32 % 2,
+        'Ĺ'..='ň' | 'Ź'..='ž' => c as u32 % 2,
+        'Ÿ' => return 'ÿ',
+        _ => 0,
+    };
+    match char::from_u32(c as u32 + apart) {
+        Some(low) => low,
+        None => c,
     }
 }
 

@@ -17,7 +17,6 @@
 
 use super::object::{Agent, Bounds, Direction, Door, Object, Room, Size};
 use super::state::{MAX_SIDE, State, StateError};
-use std::collections::BTreeMap;
 use std::str::FromStr;
 
 /// What is wrong with a drawing, and where: line and column from 1.
@@ -35,8 +34,8 @@ pub struct TextError {
 /// Marks that mean something without a legend.
 const RESERVED: &str = "#.-^v<> ";
 
-/// A mark's cells, in the order of reading, each with its place in the text.
-type Marks = BTreeMap<char, Vec<Cell>>;
+/// The cells of the map with their marks, row by row from the south. There are few: a list does.
+type Marks = Vec<(char, Cell)>;
 
 #[derive(Clone, Copy)]
 struct Cell {
@@ -162,7 +161,8 @@ pub fn read(text: &str) -> Result<State, TextError> {
             });
         }
         explained.push(mark);
-        let cells = marks.remove(&mark).unwrap_or_default();
+        let cells = cells(&marks, mark);
+        marks.retain(|(other, _)| *other != mark);
         let drawn = (mark != '-').then_some(mark);
         if words.take("room") {
             let color = words.read("a colour")?;
@@ -184,7 +184,7 @@ pub fn read(text: &str) -> Result<State, TextError> {
         }
     }
     if let Some((mark, cell)) =
-        marks.iter().filter(|m| !RESERVED.contains(*m.0)).find_map(|(m, c)| Some((m, c.first()?)))
+        marks.iter().filter(|(mark, _)| !RESERVED.contains(*mark)).min_by_key(|(mark, _)| *mark)
     {
         let message = format!("`{mark}` stands in no line of the legend");
         return Err(TextError { line: cell.line, column: cell.column, message });
@@ -237,16 +237,22 @@ fn read_map(map: &[(usize, &str)], [left, bottom]: [i32; 2]) -> Result<Marks, Te
             if column > most {
                 return Err(too_large(line, column));
             }
-            marks.entry(mark).or_default().push(Cell { x, y, line, column });
+            marks.push((mark, Cell { x, y, line, column }));
         }
     }
     Ok(marks)
 }
 
+/// A mark's cells.
+fn cells(marks: &Marks, mark: char) -> Vec<Cell> {
+    marks.iter().filter(|(other, _)| *other == mark).map(|(_, cell)| *cell).collect()
+}
+
 fn read_agent(marks: &Marks, line: usize) -> Result<Agent, TextError> {
-    let cells = |d: &Direction| marks.get(&d.letter()).cloned().unwrap_or_default();
-    let mut all: Vec<(Cell, Direction)> =
-        Direction::ALL.iter().flat_map(|d| cells(d).into_iter().map(|c| (c, *d))).collect();
+    let mut all: Vec<(Cell, Direction)> = Direction::ALL
+        .iter()
+        .flat_map(|d| cells(marks, d.letter()).into_iter().map(|c| (c, *d)))
+        .collect();
     all.sort_by_key(|(c, _)| (c.line, c.column));
     match all[..] {
         [(Cell { x, y, .. }, direction)] => Ok(Agent { x, y, direction }),

@@ -9,8 +9,10 @@ use crate::domain::{Action, Direction};
 pub struct Options {
     /// The set of colours.
     pub theme: Theme,
-    /// Whether each object bears its colour's letter; a room always does.
+    /// Whether each object bears its colour's letter.
     pub letters: bool,
+    /// Whether the rooms' names are to be written over the picture: without that each bears its colour's letter.
+    pub named: bool,
     /// What cells are worth, in 0..=1, as tiles whose colour and size both tell it ([`spread`] makes the most of
     /// the colours).
     pub values: Vec<(i32, i32, f32)>,

@@ -49,7 +49,7 @@ impl Scene {
         overlay::values(options, floor.extent, &mut quads);
         overlay::regions(options, floor.extent, &mut quads);
         overlay::arrows(options, floor.extent, &mut quads);
-        let letters = state.rooms.iter().filter(|room| room.bounds.area() > 3);
+        let letters = state.rooms.iter().filter(|room| !options.named && room.bounds.area() > 3);
         quads.extend(letters.map(|room| room_letter(room, theme)));
         walls::walls(&floor, theme, &mut quads);
         for door in &state.doors {

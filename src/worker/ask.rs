@@ -86,11 +86,12 @@ pub(super) fn answer(model: &mut Model, parse: &Parse, command: &str, state: &St
     let doubt = probability(model, parse);
     let readings: Vec<Reading> =
         shown(parse).map(|one| reading(model, parse, one, state)).collect();
+    let (words, taken) = (words(model, parse), taken(parse));
     Answer {
         command: command.to_owned(),
-        words: words(model, parse),
-        taken: taken(parse),
-        asks: choices(parse, &readings, doubt.is_some_and(|(_, asks)| asks)),
+        asks: choices(parse, &readings, &words, &taken, doubt),
+        words,
+        taken,
         readings,
         probability: doubt.map(|(probability, _)| probability),
         reason: parse.reason.map(|reason| reason.name().to_owned()),

@@ -8,6 +8,7 @@ mod world;
 mod read;
 mod ask;
 mod choose;
+mod examples;
 pub mod job;
 mod talker;
 mod progress;

@@ -2,6 +2,7 @@
 //! page loads first, so it knows nothing of corpora and learning.
 
 use super::ask::{Asked, Asking, answer};
+use super::examples::Looking;
 use super::job::{Job, Role, Step, misdirected, say};
 use super::plan::{Begun, Planned, Planning};
 use super::protocol::{Event, MOST_RUNS, PlanText, Program, Request, TrainReport, WorldRules};
@@ -74,6 +75,17 @@ impl Role for Talker {
             Request::Explain { command } => {
                 let model = self.model.as_mut().ok_or(NO_MODEL)?;
                 say(Event::Explained(studies(model, &command)))
+            }
+            Request::Example { wanted, state, rules } => {
+                self.model.as_ref().ok_or(NO_MODEL)?;
+                state.check().map_err(|error| error.to_string())?;
+                let mut looking = Looking::new(wanted, state, rules);
+                Ok(Box::new(move |talker| {
+                    let Some(model) = &mut talker.model else {
+                        return Step::Over(Event::Cancelled);
+                    };
+                    looking.step(model).map_or(Step::Working(None), Step::Over)
+                }))
             }
             Request::Draw { blueprint, seed } => say(world::draw(&blueprint, seed)),
             Request::ReadWorld { text } => say(world::read(&text)),

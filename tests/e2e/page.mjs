@@ -80,6 +80,21 @@ export class Demo {
       + (await this.by('ask-notice').count()) > 0);
   }
 
+  /** Waits until the commands to try are those of the room on view; returns the test id and the words of each. */
+  async examples() {
+    const seen = () => this.page.evaluate(() => [...document.querySelectorAll('.chip')].map((chip) =>
+      [chip.dataset.testid, chip.textContent.trim()]));
+    await this.page.waitForTimeout(400);
+    let last;
+    await this.t.until('commands to try', async () => {
+      const [before, now] = [last, JSON.stringify(await seen())];
+      last = now;
+      await this.page.waitForTimeout(250);
+      return before === now && /example-5/.test(now);
+    });
+    return JSON.parse(last);
+  }
+
   /** Waits until the command is planned for; a question on the way is answered with its first reading. */
   async planned() {
     await this.t.until('a plan or a question', async () =>
@@ -168,8 +183,11 @@ export class Demo {
   }
 
   /** Chooses what the room is for: `watch`, `edit` or `teach`. */
-  mode(mode) {
-    return this.press(`mode-${mode}`);
+  async mode(mode) {
+    const pressed = this.page.locator('.turn[aria-pressed="true"]');
+    if (mode !== 'watch') {
+      if ((await this.by(`mode-${mode}`).getAttribute('aria-pressed')) === 'false') await this.press(`mode-${mode}`);
+    } else if ((await pressed.count()) > 0) await pressed.click();
   }
 
   /** Where a cell's middle is on the screen. */

@@ -16,6 +16,8 @@ mod forest;
 mod general;
 #[path = "ccg/normal.rs"]
 mod normal;
+#[path = "ccg/numbers.rs"]
+mod numbers;
 #[path = "ccg/spelling.rs"]
 mod spelling;
 

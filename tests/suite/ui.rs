@@ -277,6 +277,7 @@ fn it_opens_with_the_engine_that_answers_and_the_model() {
             Effect::SpawnEngine(Program::Talker),
             Effect::FetchModel,
             Effect::SetLanguage(Language::English),
+            Effect::Focus("command"),
         ]
     );
     page.act(Action::Fetched(Ok("the model".to_owned())));
@@ -320,6 +321,7 @@ fn a_stopped_engine_is_started_again_with_all_it_had() {
     assert_eq!(page.state.shared.talker.health, Health::Stopped("first".to_owned()));
     assert!(!page.can_ask());
     page.posted.clear();
+    page.others.clear();
     page.act(Action::RestartEngine(Program::Talker));
     assert_eq!(page.others, [Effect::SpawnEngine(Program::Talker)]);
     page.hear(Program::Talker, 0, Event::Ready);

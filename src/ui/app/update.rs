@@ -10,6 +10,7 @@ use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
 use crate::ui::page::words::Text as Common;
 use crate::ui::page::{engines, model, resource};
+use crate::ui::talk::command::examples;
 use crate::ui::{talk, train};
 use crate::worker::protocol::Program;
 
@@ -28,6 +29,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             shared.wake(Program::Talker);
             shared.want(Effect::FetchModel);
             shared.want(Effect::SetLanguage(language));
+            shared.want(Effect::Focus("command"));
         }
         Action::Prefers(preferences) => shared.preferences = preferences,
         Action::Go(to) => {
@@ -62,6 +64,8 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             let news = engines::look(shared, program, watch);
             hear::told(state, program, news);
         }
+        Action::Rang(Timer::Examples(number)) => examples::rang(talk, shared, number),
+        Action::Rang(Timer::Demo(number)) => talk::demo::run::rang(talk, shared, number),
         Action::Rang(Timer::Play(play)) => talk::watch::play::rang(talk, shared, play),
         Action::Fetched(text) => model::fetched(shared, text),
         Action::FetchedWords(text) => {
@@ -70,6 +74,8 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             }
         }
     }
+    talk::demo::run::begin(&mut state.talk, &mut state.shared);
+    examples::keep_up(&mut state.talk, &mut state.shared);
     state.shared.take_wanted()
 }
 

@@ -24,6 +24,8 @@ pub enum Effect {
     Copy(String),
     /// Move the keyboard's focus to an element, and bring it into view.
     Focus(&'static str),
+    /// Bring an element into view.
+    Reveal(&'static str),
     /// Offer a text to the person as a file.
     Save {
         /// The file's name.
@@ -40,6 +42,10 @@ pub enum Effect {
 pub enum Timer {
     /// The next step of the plan that is played.
     Play(u32),
+    /// Time to look for commands to try.
+    Examples(u32),
+    /// Time for the next thing that the page does by itself.
+    Demo(u32),
     /// Time to see whether an engine still answers.
     Watch(Program, u32),
 }

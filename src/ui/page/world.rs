@@ -7,6 +7,8 @@ use crate::domain::{Agent, Direction, State};
 pub struct Choice {
     /// Its key in the page's texts.
     pub name: Name,
+    /// A command that shows what is special in it.
+    pub example: &'static str,
     /// Its state as JSON.
     pub json: &'static str,
 }
@@ -25,11 +27,24 @@ pub enum Name {
 pub const WORLDS: [Choice; 4] = [
     Choice {
         name: Name::ThreeRooms,
+        example: "put the yellow block in the biggest room",
         json: include_str!("../../../assets/worlds/three-rooms.json"),
     },
-    Choice { name: Name::Hall, json: include_str!("../../../assets/worlds/hall.json") },
-    Choice { name: Name::Store, json: include_str!("../../../assets/worlds/store.json") },
-    Choice { name: Name::Locked, json: include_str!("../../../assets/worlds/locked.json") },
+    Choice {
+        name: Name::Hall,
+        example: "put the chair next to the bag",
+        json: include_str!("../../../assets/worlds/hall.json"),
+    },
+    Choice {
+        name: Name::Store,
+        example: "take the magenta box to the red room",
+        json: include_str!("../../../assets/worlds/store.json"),
+    },
+    Choice {
+        name: Name::Locked,
+        example: "go to the room with the basket",
+        json: include_str!("../../../assets/worlds/locked.json"),
+    },
 ];
 
 impl Choice {

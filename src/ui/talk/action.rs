@@ -2,17 +2,23 @@
 
 use super::command::link::Link;
 use super::room::edit::Look;
+use super::room::moved::Meant;
 use super::room::point::{Key, Point};
 use super::room::state::{Mode, Tool};
 use super::share::state::Link as Address;
 use super::watch::state::{Layer, Speed};
 use super::why::help::Help;
 use crate::domain::{Blueprint, Color};
+use crate::ui::page::preferences::Depth;
 use crate::worker::protocol::WorldRules;
 
 /// Something that a person did.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
+    /// The page may do something by itself.
+    Demo,
+    /// A person has touched the page.
+    Touched,
     /// The command box changed.
     Typed(String),
     /// A command was sent: what stands in the box.
@@ -29,6 +35,8 @@ pub enum Action {
     Preview(Option<usize>),
     /// All readings are to be seen.
     AllReadings,
+    /// More, or less, of what is behind the answer is to be seen.
+    Deepen(Depth),
     /// A constituent of the derivation was chosen.
     ChooseNode(usize),
     /// Another step of its reduction is shown.
@@ -65,6 +73,8 @@ pub enum Action {
     SetPaint(Color),
     /// A pointer in the room.
     Point(Point),
+    /// What something is to mean that was taken elsewhere.
+    Mean(Meant),
     /// A key in the room.
     Press(Key),
     /// Another world was chosen, by its place in [`crate::ui::page::world::WORLDS`].

@@ -1,6 +1,6 @@
 //! What the engines say to the Talk page: each answer goes to the part that asked.
 
-use super::command::{answer, ask};
+use super::command::{answer, ask, examples};
 use super::room::worlds;
 use super::share::exchange;
 use super::state::State;
@@ -37,6 +37,9 @@ pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event:
         (Event::RolledOut(runs), _) => {
             state.watch.runs = Some(runs);
             shared.say((Text::of(shared.language).runs)(&runs));
+        }
+        (Event::Example { wanted, command }, _) => {
+            examples::came(state, shared, &wanted, command);
         }
         (Event::World(world), request) => worlds::came(state, shared, world, &request),
         (Event::WorldText { text }, _) => state.room.text = Some(text),

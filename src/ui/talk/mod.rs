@@ -14,6 +14,7 @@ pub mod why;
 pub mod share;
 pub mod proof;
 pub mod words;
+pub mod demo;
 pub mod action;
 pub mod state;
 pub mod update;

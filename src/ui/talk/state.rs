@@ -1,6 +1,8 @@
 //! The state of the Talk page: that of its parts, and what is to be seen of it all together.
 
+use super::command::offer::Examples;
 use super::command::state::Command;
+use super::demo::state::Demo;
 use super::room::state::{Mode, Room};
 use super::share::state::{Resume, Sharing};
 use super::teach::state::Teach;
@@ -15,6 +17,8 @@ use crate::worker::protocol::{Answer, Reading};
 pub struct State {
     /// What is said, and about it.
     pub command: Command,
+    /// Commands to try.
+    pub command_examples: Examples,
     /// What is done in the room.
     pub room: Room,
     /// What is watched.
@@ -23,6 +27,8 @@ pub struct State {
     pub teach: Teach,
     /// What is shared.
     pub sharing: Sharing,
+    /// What the page does by itself.
+    pub demo: Demo,
     /// What of a session waits for a model.
     pub resume: Resume,
 }
@@ -32,10 +38,12 @@ impl State {
     pub fn new() -> State {
         State {
             command: Command::default(),
+            command_examples: Examples::default(),
             room: Room::new(),
             watch: Watch::new(),
             teach: Teach::default(),
             sharing: Sharing::default(),
+            demo: Demo::default(),
             resume: Resume::default(),
         }
     }
@@ -43,6 +51,9 @@ impl State {
     /// The state of the world that is shown: what is being demonstrated, a step of the plan, or the world itself.
     pub fn shown<'a>(&'a self, shared: &'a Shared) -> &'a World {
         let draft = shared.document.draft.as_ref().filter(|_| self.room.mode == Mode::Teach);
+        if let Some(moved) = self.room.moved.as_ref().filter(|_| self.room.mode == Mode::Watch) {
+            return &moved.world;
+        }
         let playback = || self.watch.playback.as_ref().and_then(Playback::shown);
         draft.map(|draft| &draft.after).or_else(playback).unwrap_or(&shared.document.world)
     }

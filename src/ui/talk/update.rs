@@ -4,7 +4,8 @@
 use super::action::Action;
 use super::command::state::Command;
 use super::command::{ask, study};
-use super::room::{hand, worlds};
+use super::demo::run;
+use super::room::{hand, moved, worlds};
 use super::share::exchange;
 use super::share::state::Sharing;
 use super::state::State;
@@ -20,6 +21,8 @@ use crate::worker::protocol::Program;
 /// Does what a person wants.
 pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
     match action {
+        Action::Demo => run::want(state, shared),
+        Action::Touched => run::end(state, shared),
         Action::Typed(command) => ask::typed(state, shared, &command),
         Action::Ask => ask::ask(state, shared),
         Action::AskExample(command) => ask::ask_for(state, shared, command),
@@ -28,6 +31,10 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::Link(link) => state.command.link = link,
         Action::Preview(reading) => state.command.preview = reading,
         Action::AllReadings => state.command.all_readings = true,
+        Action::Deepen(depth) => {
+            shared.depth = depth;
+            deepened(state, shared);
+        }
         Action::ChooseNode(node) => (state.command.node, state.command.steps) = (Some(node), 0),
         Action::Reduce(steps) => state.command.steps = steps,
         Action::SetRules(rules) if rules == shared.document.rules => {}
@@ -48,6 +55,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::SetLook(look) => state.room.look = look,
         Action::SetPaint(color) => state.room.paint = color,
         Action::Point(point) => hand::point(state, shared, point),
+        Action::Mean(meant) => moved::mean(state, shared, meant),
         Action::Press(key) => hand::press(state, shared, key),
         Action::PickWorld(choice) => worlds::pick(state, shared, choice),
         Action::ResetWorld => worlds::reset(state, shared),

@@ -2,7 +2,7 @@
 //! and which of its rows are open.
 
 use crate::worker::protocol::{CorpusFile, CorpusReport, PairText};
-use std::collections::BTreeMap;
+use rustc_hash::FxHashMap;
 use std::rc::Rc;
 
 /// The name of the page's own corpus.
@@ -27,7 +27,7 @@ pub struct Corpus {
     /// Whether rows that were rejected are used.
     pub with_rejected: bool,
     /// The demonstrations of rows that have been asked for.
-    pub pairs: BTreeMap<usize, Rc<Vec<PairText>>>,
+    pub pairs: FxHashMap<usize, Rc<Vec<PairText>>>,
     /// The row whose demonstrations are all shown.
     pub open: Option<usize>,
     /// How many rows are shown.
@@ -42,7 +42,7 @@ impl Corpus {
             report: Rc::new(report),
             files: files.into(),
             with_rejected,
-            pairs: BTreeMap::new(),
+            pairs: FxHashMap::default(),
             open: None,
             shown,
         }

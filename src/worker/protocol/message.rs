@@ -42,6 +42,24 @@ impl Program {
     }
 }
 
+/// A kind of command to try.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Wanted {
+    /// This one, if it can be done, or if it is certain that it cannot.
+    Said(String),
+    /// To go somewhere.
+    Go,
+    /// To bring something somewhere.
+    Bring,
+    /// Something that is told by what it is like.
+    Describe,
+    /// To be, or to bring something, next to something.
+    Beside,
+    /// With a word that is not known: what there is to teach.
+    Unknown,
+}
+
 /// What the page asks of an engine. A request other than `Cancel` and `Ping` replaces the one at work.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -130,6 +148,15 @@ pub enum Request {
         /// The command as typed.
         command: String,
     },
+    /// Looks for a command to try in a world → [`Event::Example`]. The policy that is kept stays.
+    Example {
+        /// Of which kind.
+        wanted: Wanted,
+        /// The state of the world.
+        state: State,
+        /// What can happen in it.
+        rules: WorldRules,
+    },
     /// Draws a world by chance → [`Event::World`].
     Draw {
         /// What is wanted.
@@ -178,6 +205,7 @@ impl Request {
             | Request::Values { .. }
             | Request::RollOut { .. }
             | Request::Explain { .. }
+            | Request::Example { .. }
             | Request::Draw { .. }
             | Request::ReadWorld { .. }
             | Request::WriteWorld { .. } => Some(Program::Talker),
@@ -239,6 +267,13 @@ pub enum Event {
     RolledOut(Runs),
     /// The readings that an answer shows, in its order.
     Explained(Vec<Study>),
+    /// A command to try, if there is one of that kind.
+    Example {
+        /// The kind.
+        wanted: Wanted,
+        /// The command.
+        command: Option<String>,
+    },
     /// A world.
     World(State),
     /// A world as text.

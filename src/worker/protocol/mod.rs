@@ -12,7 +12,7 @@ pub use learning::{
     Judgement, Lesson, MOST_TAUGHT, PairText, Problem, Progress, RowSummary, RunPart, RunReport,
     SeedLexicon, TaskFigures, TeachReport, TrainReport, TrainSettings,
 };
-pub use message::{Envelope, Event, Program, Request, VERSION};
+pub use message::{Envelope, Event, Program, Request, VERSION, Wanted};
 pub use planning::{
     Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
 };

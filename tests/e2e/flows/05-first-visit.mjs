@@ -11,8 +11,8 @@ flow('a visitor presses an example, and the robot does it', async (t) => {
   await demo.press('example-1');
   await demo.answered('the example');
   await t.equal(() => demo.by('command').inputValue(), 'put the yellow block in the biggest room', 'the command');
-  await t.equal(() => demo.plain(), 'The yellow block is in the biggest room.', 'in plain words');
-  await demo.says(/^I understood: The yellow block is in the biggest room\. The plan has \d+ steps\.$/);
+  await t.equal(() => demo.plain(), 'I will bring the yellow block into the biggest room.', 'in plain words');
+  await demo.says(/^I will bring the yellow block into the biggest room\. The plan has \d+ steps\.$/);
   const steps = await demo.played();
   await t.check(steps > 4, `a plan of ${steps} steps`);
   await t.check(async () => /yellow block in the blue room/.test(await demo.world()), () => demo.world());
@@ -24,7 +24,7 @@ flow('a command is read while it is typed, and planned for when it is sent', asy
   const demo = await openPage(t);
   const answer = demo.by('answer');
   await demo.by('command').pressSequentially('go to the red room', { delay: 20 });
-  await t.until('it is read', async () => (await demo.plain()) === 'The robot is in the red room.');
+  await t.until('it is read', async () => (await demo.plain()) === 'I would go to the red room.');
   await t.equal(() => answer.getAttribute('data-live'), 'true', 'it was not sent');
   await t.equal(() => demo.by('plan').count(), 0, 'plans');
   await demo.by('command').press('Enter');

@@ -15,7 +15,7 @@ async function busy(t) {
   await demo.deepen('see');
   await demo.ask('take the block to the green room');
   await demo.by('reading').nth(1).click();
-  await t.until('it is planned for', async () => (await demo.plain()) === 'The object is in the green room.');
+  await t.until('it is planned for', async () => (await demo.plain()) === 'I will bring the object into the green room.');
   await demo.finish();
   await demo.press('share');
   await demo.by('shared').waitFor();

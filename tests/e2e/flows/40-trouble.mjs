@@ -27,7 +27,7 @@ flow('training is cancelled, and answers at once', async (t) => {
   await t.accessible('training');
   await demo.talk();
   await demo.ask('go to the blue room');
-  await t.equal(() => demo.plain(), 'The robot is in the blue room.', 'it answers while it trains');
+  await t.equal(() => demo.plain(), 'I will go to the blue room.', 'it answers while it trains');
 });
 
 flow('the engine is killed while it plans, and started again', async (t) => {

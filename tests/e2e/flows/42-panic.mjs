@@ -35,7 +35,7 @@ flow('an engine that panics says so, and goes on with what was loaded', async (t
   await t.until('the engine is back', async () => (await demo.by('engine-stopped').count()) === 0);
   await demo.ready();
   await demo.ask('go to the blue room');
-  await t.equal(() => demo.plain(), 'The robot is in the blue room.', 'and answers');
+  await t.equal(() => demo.plain(), 'I will go to the blue room.', 'and answers');
 });
 
 flow('a page without its model says so, and can train one', async (t) => {

@@ -60,7 +60,7 @@ for (const ratio of [1, 1.5, 3]) {
 }
 
 flow('steps glide', GLIDING, async (t) => {
-  const demo = await openPage(t);
+  const demo = await openPage(t, `${t.address}#talk`);
   await drawnBy(demo, 'webgl2');
   const seen = await stillness(demo);
   await t.check(seen.includes('false'), `the picture moves between steps: ${seen}`);
@@ -87,15 +87,15 @@ async function stillness(demo) {
 }
 
 flow('a GPU that goes away while the robot moves is replaced, and in the end done without', GLIDING, async (t) => {
-  const demo = await openPage(t);
+  const demo = await openPage(t, `${t.address}#talk`);
   await drawnBy(demo, 'webgl2');
   t.expect(/WebGL|CONTEXT_LOST|context/i);
-  await demo.ask('put the yellow block in the biggest room');
   await lose(demo);
   await t.until('a fresh canvas', async () =>
     demo.by('stage').locator('canvas').evaluate((canvas) => !canvas.getContext('webgl2')?.isContextLost()));
   await drawnBy(demo, 'webgl2');
   await t.check(async () => colours(await demo.by('stage').screenshot()) > 20, 'drawn again');
+  await demo.ask('put the yellow block in the biggest room');
   await lose(demo);
   await drawnBy(demo, 'svg');
   await t.check(async () => colours(await demo.by('stage').screenshot()) > 20, 'drawn by the page itself');

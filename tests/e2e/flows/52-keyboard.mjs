@@ -6,8 +6,10 @@ import { openPage } from '../page.mjs';
 flow('the keyboard alone asks, plays and steps', async (t) => {
   const demo = await openPage(t);
   const { keyboard } = demo.page;
-  await keyboard.press('Tab');
-  await t.equal(() => demo.page.evaluate(() => document.activeElement.className), 'skip', 'the first stop');
+  await t.equal(() => demo.page.evaluate(() => document.activeElement.id), 'command', 'where one begins');
+  await demo.reach('view-talk');
+  await keyboard.press('Shift+Tab');
+  await t.equal(() => demo.page.evaluate(() => document.activeElement.className), 'skip', 'before all else');
   await keyboard.press('Enter');
   await demo.reach('command');
   await keyboard.type('go to the blue room');
@@ -25,10 +27,10 @@ flow('the page speaks German where the browser does', { locale: 'de-DE' }, async
   await t.equal(() => demo.page.locator('html').getAttribute('lang'), 'de', 'the language');
   await demo.ask('go to the blue room');
   await demo.finish();
-  await t.equal(() => demo.plain(), 'Der Roboter ist im blauen Raum.', 'in plain words');
+  await t.equal(() => demo.plain(), 'Ich werde in den blauen Raum gehen.', 'in plain words');
   await t.accessible('the page in German');
   await t.fits('the page in German');
   await t.shot('german');
   await demo.by('language').selectOption('en');
-  await t.equal(() => demo.plain(), 'The robot is in the blue room.', 'in English');
+  await t.equal(() => demo.plain(), 'I will go to the blue room.', 'in English');
 });

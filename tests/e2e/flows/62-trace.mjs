@@ -64,7 +64,7 @@ function watchReadings(page) {
 }
 
 flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, async (t) => {
-  const demo = await openPage(t);
+  const demo = await openPage(t, `${t.address}#talk`);
   const { page } = demo;
   await demo.deepen('see');
   // The browser makes a program faster while it runs: what comes after the first minute is told.

@@ -45,3 +45,10 @@ flow('a phone', { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, i
   await seek(demo, 5);
   await demo.page.screenshot({ path: file('page-phone') });
 });
+
+flow('the picture for who shares the address', { viewport: { width: 1200, height: 630 } }, async (t) => {
+  const demo = await openPage(t);
+  await demo.ask(COMMAND);
+  await seek(demo, 5);
+  await demo.page.screenshot({ path: path.join(root, 'www/card.png') });
+});

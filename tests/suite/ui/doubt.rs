@@ -42,7 +42,7 @@ fn a_question_is_asked_aloud_and_nothing_is_done() {
         said(&page),
         "Which do you mean? 1: The robot is outside the red room. 2: The robot is the same as the robot."
     );
-    assert_eq!(page.others, [Effect::Focus("choice-1")]);
+    assert_eq!(page.others, [Effect::Reveal("scene"), Effect::Focus("choice-1")]);
     assert!(page.posted.is_empty() && page.state.talk.watch.playback.is_none());
     assert_eq!(page.shown(), &world());
     assert!(page.messages().is_empty());
@@ -58,7 +58,11 @@ fn the_answer_is_done_and_can_be_remembered() {
     page.act(talk::Action::Remember);
     assert_eq!(page.posted.len(), 1, "there is nothing to remember yet");
     page.answer(Event::Planned(Box::new(plan(&world(), 2))));
-    assert!(said(&page).contains("outside the red room. The plan has 2 steps."), "{}", said(&page));
+    assert!(
+        said(&page).contains("stay out of the red room. The plan has 2 steps."),
+        "{}",
+        said(&page)
+    );
     while page.play_on() {}
     page.act(talk::Action::Remember);
     page.hear(Program::Learner, 0, Event::Ready);

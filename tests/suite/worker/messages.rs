@@ -11,7 +11,7 @@ use groundling::worker::protocol::{
     Fate, Figures, Judgement, Lesson, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress,
     PlanText, Problem, Program, Progress, Reading, Referent, Refers, Request, RowSummary, RunPart,
     RunReport, Runs, SeedLexicon, Shade, Study, Taken, TaskFigures, TeachReport, TrainReport,
-    VERSION, ValueMap, Why, WireError, Word, WorldRules, decode, encode,
+    VERSION, ValueMap, Wanted, Why, WireError, Word, WorldRules, decode, encode,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use serde::{Serialize, de::DeserializeOwned};
@@ -91,6 +91,7 @@ fn requests() -> Vec<Request> {
         },
         Request::Explain { command: "go".to_owned() },
         Request::Read { command: "go".to_owned(), state: state.clone() },
+        Request::Example { wanted: Wanted::Said("go".to_owned()), state: state.clone(), rules },
         Request::Draw { blueprint: Blueprint::default(), seed: 7 },
         Request::ReadWorld { text: "###\n".to_owned() },
         Request::WriteWorld { state: state.clone() },
@@ -111,7 +112,7 @@ fn requests() -> Vec<Request> {
 
 #[test]
 fn requests_come_back_from_the_wire() {
-    come_back(&requests(), 18);
+    come_back(&requests(), 19);
 }
 
 #[test]
@@ -302,6 +303,7 @@ fn events_come_back_from_the_wire() {
             explanation: Explanation { score: 0.1, parts: vec![part], entries: vec![entry] },
             reductions: vec![vec!["p".to_owned()]],
         }]),
+        Event::Example { wanted: Wanted::Go, command: Some("go".to_owned()) },
         Event::World(world.clone()),
         Event::WorldText { text: "###".to_owned() },
         Event::Answer(Box::new(answer)),

@@ -59,7 +59,7 @@ fn a_text_that_is_no_world_is_refused_with_its_place() {
         ("####\n#^?#\n####\n".to_owned(), "line 2, column 3: `?` stands in no line of the legend"),
         (
             "{\"agent\": {\"x\": 1}}".to_owned(),
-            "agent: missing field `y`: add it (line 1, column 18)",
+            "it is no world: missing field `y` at line 1 column 18",
         ),
         (illegal.write(), "share the cell"),
         (text::print(&walled), "line 1, column 1: `agent` stands in a wall, at column 0, row 0"),

@@ -55,6 +55,11 @@ fn read(act: &Callback<Action>) {
         act.emit(Action::Go(View::Train));
     } else if hash == "#talk" {
         act.emit(Action::Go(View::Talk));
+    } else {
+        // Who comes with a link, or asks for a view, knows the page already.
+        act.emit(Action::Talk(talk::Action::Demo));
+        let act = act.clone();
+        host::once_touched(move || act.emit(Action::Talk(talk::Action::Touched)));
     }
 }
 

@@ -106,6 +106,7 @@ impl Effects {
             Effect::Focus(id) => spawn_local(async move { host::focus(id) }),
             Effect::Save { name, text } => save(&name, JsValue::from_str(&text))?,
             Effect::GiveBack(file) => save(&file.name, Uint8Array::from(&file.bytes[..]).into())?,
+            Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
         }
         Ok(())
     }

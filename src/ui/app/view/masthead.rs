@@ -12,6 +12,9 @@ use crate::ui::talk;
 use web_sys::{Event, HtmlSelectElement};
 use yew::{Callback, Html, TargetCast, html};
 
+/// Where the source is, if whoever builds the site says so.
+const SOURCE: Option<&str> = option_env!("SOURCE_ADDRESS");
+
 /// The head of the page.
 pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
     let State { shared: Shared { depth, language, history, .. }, view, .. } = state;
@@ -30,7 +33,6 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
         <header class="masthead">
             <div class="name">
                 <h1>{"Groundling"}</h1>
-                <p>{ text.tagline }</p>
             </div>
             <nav aria-label={text.views}>
                 { link(View::Talk, text.talk, "#talk", "view-talk") }
@@ -59,6 +61,13 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
                     }) }
                 </select>
             </div>
+            if *view == View::Talk {
+                <p class="pitch">
+                    { text.pitch }
+                    { for text.links.iter().map(|(words, href)| html! { <>{" "}<a href={*href}>{ words }</a></> }) }
+                    if let Some(source) = SOURCE { {" "}<a href={source}>{ text.source }</a> }
+                </p>
+            }
         </header>
     }
 }

@@ -4,7 +4,13 @@ use super::table::Text;
 
 /// The words.
 pub(super) static ENGLISH: Text = Text {
-    tagline: "Say what the robot should do. See what it understood.",
+    pitch: "It learned its English from pairs of rooms, before and after, with no annotated forms. Teach it a word it lacks.",
+    links: [
+        ("How it works", "guide/learning.md"),
+        ("The paper", "https://doi.org/10.1109/ICRA.2018.8460937"),
+        ("The guide", "guide/page.md"),
+    ],
+    source: "The source",
     views: "Views",
     talk: "Talk",
     train: "Train",

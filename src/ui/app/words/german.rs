@@ -4,7 +4,13 @@ use super::table::Text;
 
 /// The words.
 pub(super) static GERMAN: Text = Text {
-    tagline: "Sag, was der Roboter tun soll. Sieh, was er verstanden hat.",
+    pitch: "Sein Englisch hat er aus Paaren von Räumen gelernt, vorher und nachher, ohne eine annotierte Form. Lehr ihn ein Wort, das ihm fehlt.",
+    links: [
+        ("Wie das geht", "guide/learning.md"),
+        ("Der Aufsatz", "https://doi.org/10.1109/ICRA.2018.8460937"),
+        ("Die Anleitung", "guide/page.md"),
+    ],
+    source: "Der Quelltext",
     views: "Ansichten",
     talk: "Sprechen",
     train: "Trainieren",

@@ -5,7 +5,9 @@ use crate::ui::page::preferences::Depth;
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
 pub struct Text {
-    pub tagline: &'static str,
+    pub pitch: &'static str,
+    pub links: [(&'static str, &'static str); 3],
+    pub source: &'static str,
     pub views: &'static str,
     pub talk: &'static str,
     pub train: &'static str,

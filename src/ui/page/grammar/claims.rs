@@ -36,6 +36,17 @@ pub(super) fn joined(words: &Words, all: &[Claim], and: &str, are: &str) -> Stri
     all.iter().map(words.claim).collect::<Vec<_>>().join(&format!(", {and} "))
 }
 
+/// Several things that are to be in one relation to one place: the things, the relation, the place.
+pub(super) fn one_place(all: &[Claim]) -> Option<(Vec<&Noun>, &str, &Noun)> {
+    let (relation, [_, place]) = related(all.first()?)?;
+    let things = all.iter().map(|told| match related(told)? {
+        (r, [thing, p]) if r == relation && p == place && *thing != Noun::Robot => Some(thing),
+        _ => None,
+    });
+    let things = things.collect::<Option<Vec<_>>>()?;
+    (relation != "eq").then_some((things, relation, place))
+}
+
 /// The relation that a claim says to hold, and of what.
 pub(super) fn related(told: &Claim) -> Option<(&str, &[Noun; 2])> {
     match told {

@@ -1,6 +1,7 @@
 //! English grammar: goals, things, cells and changes in English sentences.
 
 use super::english_claims;
+use super::english_deeds;
 use super::phrases::{Phrases, Spot, spot};
 use crate::domain::{Color, Lock, Object, Shape, Size, State};
 use crate::ui::page::place::Place;
@@ -12,6 +13,10 @@ pub struct English;
 impl Phrases for English {
     fn claim(&self, claim: &Claim) -> String {
         english_claims::claim(claim)
+    }
+
+    fn deed(&self, claim: &Claim) -> String {
+        english_deeds::deed(claim)
     }
 
     fn keeps(&self, claim: &Claim) -> Option<String> {
@@ -75,6 +80,10 @@ impl Phrases for English {
 
     fn color(&self, color: Color) -> &'static str {
         color.name()
+    }
+
+    fn room(&self, color: Color) -> String {
+        format!("{color} room")
     }
 
     fn shape(&self, shape: Shape) -> &'static str {

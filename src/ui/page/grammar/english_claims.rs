@@ -163,7 +163,7 @@ fn relative(told: &Claim) -> String {
     }
 }
 
-fn relation_words(relation: &str) -> &str {
+pub(super) fn relation_words(relation: &str) -> &str {
     match relation {
         "near" => "next to",
         "left" => "left of",

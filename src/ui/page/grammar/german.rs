@@ -1,6 +1,7 @@
 //! German grammar: goals, things, cells and changes in German sentences.
 
 use super::german_claims;
+use super::german_deeds;
 use super::german_words::Case::Nominative;
 use super::german_words::Gender::{Feminine, Masculine, Neuter};
 use super::german_words::{adjective, compass, definite, property};
@@ -15,6 +16,10 @@ pub struct German;
 impl Phrases for German {
     fn claim(&self, claim: &Claim) -> String {
         german_claims::claim(claim)
+    }
+
+    fn deed(&self, claim: &Claim) -> String {
+        german_deeds::deed(claim)
     }
 
     fn keeps(&self, claim: &Claim) -> Option<String> {
@@ -84,6 +89,10 @@ impl Phrases for German {
 
     fn color(&self, color: Color) -> &'static str {
         adjective(color.name())
+    }
+
+    fn room(&self, color: Color) -> String {
+        format!("{}er Raum", adjective(color.name()))
     }
 
     fn shape(&self, shape: Shape) -> &'static str {

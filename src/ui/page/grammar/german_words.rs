@@ -15,23 +15,28 @@ pub(super) enum Gender {
 pub(super) enum Case {
     Nominative,
     Dative,
+    Accusative,
 }
 
-use Case::{Dative, Nominative};
+use Case::{Accusative, Dative, Nominative};
 use Gender::{Feminine, Masculine, Neuter};
 
 pub(super) const fn article(gender: Gender, case: Case) -> &'static str {
     match (gender, case) {
         (Masculine, Nominative) => "der",
-        (Feminine, Nominative) => "die",
-        (Neuter, Nominative) => "das",
+        (Masculine, Accusative) => "den",
+        (Feminine, Nominative | Accusative) => "die",
+        (Neuter, Nominative | Accusative) => "das",
         (Feminine, Dative) => "der",
         (_, Dative) => "dem",
     }
 }
 
 pub(super) fn definite(adjectives: &[&str], word: &str, gender: Gender, case: Case) -> String {
-    let ending = if case == Dative { "en" } else { "e" };
+    let ending = match (gender, case) {
+        (_, Dative) | (Masculine, Accusative) => "en",
+        _ => "e",
+    };
     let adjectives = adjectives.iter().map(|stem| format!("{stem}{ending} ")).collect::<String>();
     format!("{} {adjectives}{word}", article(gender, case))
 }
@@ -39,8 +44,9 @@ pub(super) fn definite(adjectives: &[&str], word: &str, gender: Gender, case: Ca
 pub(super) fn indefinite(adjectives: &[&str], word: &str, gender: Gender, case: Case) -> String {
     let (article, ending) = match (gender, case) {
         (Masculine, Nominative) => ("ein", "er"),
-        (Neuter, Nominative) => ("ein", "es"),
-        (Feminine, Nominative) => ("eine", "e"),
+        (Masculine, Accusative) => ("einen", "en"),
+        (Neuter, Nominative | Accusative) => ("ein", "es"),
+        (Feminine, Nominative | Accusative) => ("eine", "e"),
         (Feminine, Dative) => ("einer", "en"),
         (_, Dative) => ("einem", "en"),
     };
@@ -54,8 +60,9 @@ pub(super) fn every(adjectives: &[&str], word: &str, gender: Gender, case: Case)
     let rest = phrase.get(3..).unwrap_or_default();
     let article = match (gender, case) {
         (Masculine, Nominative) | (Feminine, Dative) => "jeder",
-        (Feminine, Nominative) => "jede",
-        (Neuter, Nominative) => "jedes",
+        (Masculine, Accusative) => "jeden",
+        (Feminine, Nominative | Accusative) => "jede",
+        (Neuter, Nominative | Accusative) => "jedes",
         (_, Dative) => "jedem",
     };
     format!("{article}{rest}")

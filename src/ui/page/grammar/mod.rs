@@ -4,9 +4,11 @@ mod phrases;
 mod claims;
 mod english;
 mod english_claims;
+mod english_deeds;
 mod german_words;
 mod german;
 mod german_claims;
+mod german_deeds;
 
 pub use english::English;
 pub use german::German;

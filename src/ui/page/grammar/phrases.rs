@@ -22,6 +22,8 @@ pub enum Spot {
 pub trait Phrases {
     /// A goal: "the robot is in the blue room".
     fn claim(&self, claim: &Claim) -> String;
+    /// What the robot does about a goal, names between asterisks: "go to *the blue room*".
+    fn deed(&self, claim: &Claim) -> String;
     /// What the robot does about a claim that keeps it from something: "I stay out of the blue room."
     fn keeps(&self, claim: &Claim) -> Option<String>;
     /// A thing: "the biggest room".
@@ -36,6 +38,8 @@ pub trait Phrases {
     fn look(&self, color: Color, shape: Shape, size: Option<Size>) -> String;
     /// A colour.
     fn color(&self, color: Color) -> &'static str;
+    /// A room by its colour: "blue room".
+    fn room(&self, color: Color) -> String;
     /// A shape.
     fn shape(&self, shape: Shape) -> &'static str;
     /// A size.

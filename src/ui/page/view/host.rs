@@ -7,7 +7,7 @@ use std::sync::Once;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
-use web_sys::{CustomEvent, CustomEventInit, Element, MediaQueryList};
+use web_sys::{AddEventListenerOptions, CustomEvent, CustomEventInit, Element, MediaQueryList};
 use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition};
 use yew::Callback;
 
@@ -22,16 +22,21 @@ pub(crate) fn element(id: &str) -> Option<Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
 }
 
-/// Gives an element the keyboard's focus, and scrolls it into view as little as need be.
-pub(crate) fn focus(id: &str) {
+/// Scrolls an element into view as little as need be.
+pub(crate) fn reveal(id: &str) {
     let options = ScrollIntoViewOptions::new();
     options.set_block(ScrollLogicalPosition::Nearest);
     if let Some(element) = element(id) {
         element.scroll_into_view_with_scroll_into_view_options(&options);
-        if let Ok(element) = element.dyn_into::<HtmlElement>() {
-            // What cannot take the focus has at least been scrolled to.
-            let _ = element.focus();
-        }
+    }
+}
+
+/// Gives an element the keyboard's focus, and scrolls it into view as little as need be.
+pub(crate) fn focus(id: &str) {
+    reveal(id);
+    if let Some(Ok(element)) = element(id).map(|element| element.dyn_into::<HtmlElement>()) {
+        // What cannot take the focus has at least been scrolled to.
+        let _ = element.focus();
     }
 }
 
@@ -105,6 +110,24 @@ pub(crate) fn next_frame(callback: impl FnOnce() + 'static) {
         // A window that draws no frames shows none.
         let _ = window.request_animation_frame(callback.unchecked_ref());
     }
+}
+
+/// Calls back at the first key or touch.
+pub(crate) fn once_touched(touched: impl Fn() + 'static) {
+    let Some(window) = web_sys::window() else { return };
+    let listener: Closure<dyn FnMut()> = Closure::new(touched);
+    let options = AddEventListenerOptions::new();
+    options.set_capture(true);
+    options.set_once(true);
+    for event in ["keydown", "pointerdown"] {
+        let called = listener.as_ref().unchecked_ref();
+        // A window that takes no listener is never touched.
+        let _ = window.add_event_listener_with_callback_and_add_event_listener_options(
+            event, called, &options,
+        );
+    }
+    // The page listens as long as it lives.
+    listener.forget();
 }
 
 /// Shows a message in the crash panel.

@@ -16,6 +16,8 @@ pub(crate) enum Sign {
     Forward,
     Dice,
     Close,
+    Pencil,
+    Hand,
 }
 
 impl Sign {
@@ -40,6 +42,10 @@ impl Sign {
             Sign::Dice => {
                 "M5 3h14a2 2 0 0 1 2 2v14a2 2 0 0 1-2 2H5a2 2 0 0 1-2-2V5a2 2 0 0 1 2-2zm0 2v14h14V5zm3 1.500a1.500 1.500 0 1 1 0 3 1.500 1.500 0 0 1 0-3zm8 0a1.500 1.500 0 1 1 0 3 1.500 1.500 0 0 1 0-3zm-4 4a1.500 1.500 0 1 1 0 3 1.500 1.500 0 0 1 0-3zm-4 4a1.500 1.500 0 1 1 0 3 1.500 1.500 0 0 1 0-3zm8 0a1.500 1.500 0 1 1 0 3 1.500 1.500 0 0 1 0-3z"
             }
+            Sign::Pencil => {
+                "M4 16.500 15.500 5l3.500 3.500L7.500 20H4zM16.500 4l1.500-1.500L21.500 6 20 7.500z"
+            }
+            Sign::Hand => "M3 9l9-5 9 5-9 5zM7 13v4c3 2 7 2 10 0v-4l-5 2.800zM20 11h1v6h-1z",
             Sign::Close => {
                 "M6.400 5 12 10.600 17.600 5 19 6.400 13.400 12l5.600 5.600-1.400 1.400-5.600-5.600L6.400 19 5 17.600 10.600 12 5 6.400z"
             }
@@ -58,7 +64,12 @@ pub(crate) fn sign(
     html! {
         <button type="button" class="sign" aria-label={label} title={label} data-testid={id} disabled={off}
             onclick={go.reform(|_| ())}>
-            <svg viewBox="0 0 24 24" aria-hidden="true"><path d={sign.path()} /></svg>
+            { picture(sign) }
         </button>
     }
+}
+
+/// A sign alone.
+pub(crate) fn picture(sign: Sign) -> Html {
+    html! { <svg viewBox="0 0 24 24" aria-hidden="true"><path d={sign.path()} /></svg> }
 }

@@ -2,6 +2,7 @@
 
 use super::state::MOST_CHARACTERS;
 use crate::domain::State as World;
+use crate::ui::page::effect::Effect;
 use crate::ui::page::engine::Health;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::room::state::Mode;
@@ -53,7 +54,9 @@ pub(crate) fn ask(state: &mut State, shared: &mut Shared) {
     }
     state.settle(shared);
     state.room.mode = Mode::Watch;
+    state.room.let_go();
     state.command.forget();
+    shared.want(Effect::Reveal("scene"));
     let command = state.command.input.clone();
     request(state, shared, |world, rules| Request::Ask { command, state: world, rules });
 }

@@ -2,6 +2,8 @@
 
 pub mod link;
 pub mod state;
+pub mod offer;
 pub mod ask;
+pub mod examples;
 pub mod study;
 pub mod answer;

@@ -4,14 +4,6 @@ use super::link::Link;
 use crate::worker::protocol::{Answer, Study};
 use std::rc::Rc;
 
-/// Commands to try; what they name is in the first world.
-pub const EXAMPLES: [&str; 4] = [
-    "go to the blue room",
-    "put the yellow block in the biggest room",
-    "take the block to the green room",
-    "walk next to the yellow block",
-];
-
 /// The elements that a question's choices are, in their order.
 pub const CHOICES: [&str; 3] = ["choice-1", "choice-2", "choice-3"];
 

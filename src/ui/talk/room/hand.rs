@@ -2,9 +2,10 @@
 
 use super::edit::{self, Obstacle};
 use super::point::{Key, Point, PointKind};
-use super::state::{Held, Mode, Tool};
+use super::state::{Held, Mode, Moved, QUESTION, Tool};
 use crate::domain::State as World;
 use crate::render::Thing;
+use crate::ui::page::effect::Effect;
 use crate::ui::page::place::{Place, inside, item_at};
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::{ask, link};
@@ -32,7 +33,7 @@ pub(crate) fn set_mode(state: &mut State, shared: &mut Shared, mode: Mode) {
 }
 
 /// Another tool is taken.
-pub(crate) const fn take(state: &mut State, tool: Tool) {
+pub(crate) fn take(state: &mut State, tool: Tool) {
     state.room.tool = tool;
     state.room.let_go();
 }
@@ -106,6 +107,7 @@ pub(crate) fn press(state: &mut State, shared: &mut Shared, key: Key) {
         }
         Key::Cancel => {
             (state.room.held, state.room.cursor, state.command.link) = (None, None, None);
+            state.room.moved = None;
         }
         Key::Turn if state.room.mode != Mode::Watch => {
             let turned = Ok(edit::turn(state.shown(shared)));
@@ -124,8 +126,7 @@ fn hover(state: &mut State, shared: &Shared) {
 /// What a hand takes hold of on a cell.
 fn grasp(state: &State, shared: &Shared, cell: Place) -> Option<Held> {
     match (state.room.mode, state.room.tool) {
-        (Mode::Watch, _) => None,
-        (Mode::Teach, _) | (_, Tool::Move) => {
+        (Mode::Watch | Mode::Teach, _) | (_, Tool::Move) => {
             let item = item_at(state.shown(shared), cell)?;
             Some(Held::Item(item, centre(cell)))
         }
@@ -145,7 +146,11 @@ fn release(state: &mut State, shared: &mut Shared, held: Option<Held>, cell: Pla
         (Some(Held::Item(item, _)), ..) => {
             if item_at(shown, cell) == Some(item) {
                 // Taken up and put down where it was: the robot turns.
-                if item == Thing::Robot { Ok(edit::turn(shown)) } else { return }
+                if item == Thing::Robot && state.room.mode != Mode::Watch {
+                    Ok(edit::turn(shown))
+                } else {
+                    return;
+                }
             } else {
                 edit::put(shown, item, cell)
             }
@@ -156,7 +161,20 @@ fn release(state: &mut State, shared: &mut Shared, held: Option<Held>, cell: Pla
         (None, Mode::Edit, Tool::Erase) => edit::erase(shown, cell),
         (None, ..) => return,
     };
-    change(state, shared, changed);
+    match (changed, state.room.mode) {
+        (Ok(world), Mode::Watch) => put_down(state, shared, world, cell),
+        // It goes back where it was.
+        (Err(_), Mode::Watch) => {}
+        (changed, _) => change(state, shared, changed),
+    }
+}
+
+/// Something was put down in the room that is watched.
+fn put_down(state: &mut State, shared: &mut Shared, world: World, at: Place) {
+    state.settle(shared);
+    state.watch.forget();
+    state.room.moved = Some(Moved { world, at });
+    shared.want(Effect::Focus(QUESTION));
 }
 
 /// Takes a change over, or says why it could not be made. The command in the box is read again in another world.

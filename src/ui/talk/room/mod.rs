@@ -2,6 +2,8 @@
 
 pub mod point;
 pub mod edit;
+pub mod moved;
+pub mod names;
 pub mod state;
 pub mod worlds;
 pub mod hand;

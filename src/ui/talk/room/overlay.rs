@@ -3,8 +3,8 @@
 
 use super::edit;
 use super::state::{Held, Mode, Room, Tool};
-use crate::domain::Bounds;
-use crate::render::{Arrow, Ghost, Options, spread};
+use crate::domain::{Bounds, State as World};
+use crate::render::{Arrow, Ghost, Options, Thing, spread};
 use crate::ui::page::place::{Place, inside, item_at};
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
@@ -15,7 +15,12 @@ use crate::worker::protocol::{CellValue, Refers};
 
 /// How the room is to be shown.
 pub fn options(state: &State, shared: &Shared) -> Options {
-    let options = Options { theme: shared.preferences.theme, letters: true, ..Options::default() };
+    let options = Options {
+        theme: shared.preferences.theme,
+        letters: true,
+        named: true,
+        ..Options::default()
+    };
     let options = Options { cursor: state.room.cursor, ..options };
     match state.room.mode {
         Mode::Watch => watched(state, shared, options),
@@ -46,6 +51,9 @@ fn values(state: &State) -> Vec<(i32, i32, f64)> {
 }
 
 fn watched(state: &State, shared: &Shared, mut options: Options) -> Options {
+    if let (Some(Held::Item(what, at)), Some(target)) = (state.room.held, state.room.hover) {
+        options.ghost = Some(ghost(state.shown(shared), what, at, target));
+    }
     let Some(reading) = state.heard_reading(shared) else { return options };
     options.highlight = state.command.link.map(|own| link::cells(reading, own)).unwrap_or_default();
     let failed = reading.phrases.iter().filter(|phrase| !phrase.referents.is_empty());
@@ -84,9 +92,7 @@ fn changed(state: &State, shared: &Shared, mut options: Options) -> Options {
     let shown = state.shown(shared);
     match (held, hover) {
         (Some(Held::Item(what, at)), Some(target)) => {
-            let own = item_at(shown, target) == Some(what);
-            let allowed = own || edit::put(shown, what, target).is_ok();
-            options.ghost = Some(Ghost { what, at, target, allowed });
+            options.ghost = Some(ghost(shown, what, at, target));
         }
         (Some(Held::Corner(corner)), Some(target)) => {
             options.highlight = frame(corner, target);
@@ -103,6 +109,13 @@ fn changed(state: &State, shared: &Shared, mut options: Options) -> Options {
         _ => {}
     }
     options
+}
+
+/// What a hand holds over a cell.
+fn ghost(shown: &World, what: Thing, at: [f32; 2], target: Place) -> Ghost {
+    let own = item_at(shown, target) == Some(what);
+    let allowed = own || edit::put(shown, what, target).is_ok();
+    Ghost { what, at, target, allowed }
 }
 
 /// The cells of the rectangle between two corners.

@@ -1,7 +1,7 @@
 //! The state of the room: what it is for, what a person holds in it, and what other worlds are to be like.
 
 use super::edit::{Look, Obstacle};
-use crate::domain::{Blueprint, Color, Shape};
+use crate::domain::{Blueprint, Color, Shape, State as World};
 use crate::render::Thing;
 use crate::ui::page::place::Place;
 
@@ -52,6 +52,18 @@ pub enum Held {
     Corner(Place),
 }
 
+/// The element that is asked with.
+pub const QUESTION: &str = "moved-teach";
+
+/// What was taken elsewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// The world with that.
+    pub world: World,
+    /// Where it was put down.
+    pub at: Place,
+}
+
 /// The room's side of the page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Room {
@@ -69,6 +81,8 @@ pub struct Room {
     pub hover: Option<Place>,
     /// What is held.
     pub held: Option<Held>,
+    /// What was taken elsewhere while the room was watched.
+    pub moved: Option<Moved>,
     /// Why the last change could not be made.
     pub obstacle: Option<Obstacle>,
     /// What random worlds are like.
@@ -92,6 +106,7 @@ impl Room {
             cursor: None,
             hover: None,
             held: None,
+            moved: None,
             obstacle: None,
             blueprint: Blueprint { objects: 3, ..Blueprint::default() },
             seed: 1,
@@ -101,8 +116,8 @@ impl Room {
     }
 
     /// A hand lets go, and what was in its way is forgotten.
-    pub(crate) const fn let_go(&mut self) {
-        (self.held, self.obstacle) = (None, None);
+    pub(crate) fn let_go(&mut self) {
+        (self.held, self.moved, self.obstacle) = (None, None, None);
     }
 }
 

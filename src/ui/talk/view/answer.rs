@@ -2,6 +2,7 @@
 
 use super::choices::choices;
 use crate::ui::page::language::Language;
+use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
 use crate::ui::talk::action::Action;
@@ -19,7 +20,9 @@ use yew::{Callback, Html, classes, html};
 /// The answer to the command.
 pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
-    let Some(answer) = state.heard(shared) else { return Html::default() };
+    let Some(answer) = state.heard(shared) else {
+        return html! { <p class="answer hello">{ text.hello }</p> };
+    };
     let words = &answer.words;
     // Whether this is of a command that is being typed.
     let live = state.command.live.is_some();
@@ -41,11 +44,11 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             }
             if let Some(reading) = state.heard_reading(shared).filter(|_| !asks) {
                 <p class="understood" data-testid="understood">
-                    <span class="dim">{ label }</span>
-                    <strong data-testid="plain">{ text.phrases.sentence(&reading.claim) }</strong>
+                    <span data-testid="plain">{ set_off(&text.intention(label, &reading.claim)) }</span>
+                    if !live { { deeper(text, shared.depth, act) } }
                 </p>
             }
-            { for messages(state, shared).iter().map(|message| tell(text, message, words, act)) }
+            if !live { { for told(messages(state, shared)).iter().map(|message| tell(text, message, words, act)) } }
             { choices(state, shared, act) }
             if !live && answered(shared).is_some() {
                 <button type="button" class="quiet remember" data-testid="remember" disabled={is_teaching(shared)}
@@ -53,6 +56,32 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             }
             if state.room.mode == Mode::Watch { { notice(state.teach.notice.as_deref(), "teach-notice") } }
         </div>
+    }
+}
+
+/// What was taken for something else, and one thing that is wrong: the first, with which the rest may well go.
+fn told(all: Vec<Message>) -> Vec<Message> {
+    let (mut told, wrong): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| one.kind == "taken");
+    told.extend(wrong.into_iter().next());
+    told
+}
+
+/// A sentence with the names in it set off, which stand between asterisks.
+fn set_off(words: &str) -> Html {
+    let parts = words.split('*').enumerate();
+    html! { <>{ for parts.map(|(at, part)| if at % 2 == 0 { html! { part } } else { html! { <b>{ part }</b> } }) }</> }
+}
+
+/// What is behind the answer: the readings and what they are worth, then how the words made them.
+fn deeper(text: &'static Text, depth: Depth, act: &Callback<Action>) -> Html {
+    let (to, words, id) = match depth {
+        Depth::Say => (Depth::See, text.ask_why, "ask-why"),
+        Depth::See => (Depth::Study, text.show_grammar, "show-grammar"),
+        Depth::Study => (Depth::Say, text.less, "less"),
+    };
+    html! {
+        <button type="button" class="link deeper" data-testid={id}
+            onclick={act.reform(move |_| Action::Deepen(to))}>{ words }</button>
     }
 }
 

@@ -2,16 +2,17 @@
 //! GPU or it was lost. A step glides from cell to cell; a jump, or a person who prefers less motion, does not.
 //! Nothing is built or drawn while nothing changes. A pointer is told in cells.
 
+use super::observer::Observer;
+use super::pace::Pace;
 use crate::domain::State;
 use crate::render::link::{self, LinkError, View};
 use crate::render::{Extent, Fit, Motion, Options, Scene};
 use crate::ui::page::grammar::room_at;
+use crate::ui::page::place::one_step;
 use crate::ui::page::view::{host, sketch};
 use crate::ui::talk::room::point::{Point, PointKind};
-use wasm_bindgen::JsCast;
-use wasm_bindgen::prelude::Closure;
 use wasm_bindgen_futures::spawn_local;
-use web_sys::{Element, HtmlCanvasElement, PointerEvent, ResizeObserver};
+use web_sys::{Element, HtmlCanvasElement, PointerEvent};
 use yew::{AttrValue, Callback, Component, Context, Html, NodeRef, Properties, classes, html};
 
 /// A step glides for this share of the time that it lasts.
@@ -27,6 +28,8 @@ pub(super) struct Props {
     /// How.
     pub(super) options: Options,
     pub(super) reduced_motion: bool,
+    /// Whether steps follow each other.
+    pub(super) playing: bool,
     /// Milliseconds from one step to the next.
     pub(super) step_ms: u32,
     /// What the picture is, in words.
@@ -34,6 +37,9 @@ pub(super) struct Props {
     /// Whether things can be dragged: a finger then draws instead of scrolling the page.
     #[prop_or_default]
     pub(super) interactive: bool,
+    /// What lies over the picture, in its units.
+    #[prop_or_default]
+    pub(super) labels: Html,
     /// Told what a pointer does.
     #[prop_or_default]
     pub(super) on_point: Callback<Point>,
@@ -48,6 +54,7 @@ pub(super) enum Message {
 }
 
 /// The stage's picture.
+#[derive(Default)]
 pub(super) struct Canvas {
     stage: NodeRef,
     node: NodeRef,
@@ -63,19 +70,10 @@ pub(super) struct Canvas {
     over: Option<(i32, i32)>,
     /// Whether a frame has been asked for.
     awaited: bool,
+    /// Whether it is to be drawn.
+    due: bool,
+    pace: Pace,
     observer: Option<Observer>,
-}
-
-/// Watches the canvas's size.
-struct Observer {
-    observer: ResizeObserver,
-    _resized: Closure<dyn FnMut()>,
-}
-
-impl Drop for Observer {
-    fn drop(&mut self) {
-        self.observer.disconnect();
-    }
 }
 
 impl Component for Canvas {
@@ -83,18 +81,7 @@ impl Component for Canvas {
     type Properties = Props;
 
     fn create(_ctx: &Context<Self>) -> Canvas {
-        Canvas {
-            stage: NodeRef::default(),
-            node: NodeRef::default(),
-            canvas: 0,
-            given: None,
-            view: None,
-            motion: None,
-            held: None,
-            over: None,
-            awaited: false,
-            observer: None,
-        }
+        Canvas::default()
     }
 
     fn changed(&mut self, ctx: &Context<Self>, old: &Props) -> bool {
@@ -103,7 +90,9 @@ impl Component for Canvas {
             let motion = Motion::between(&old.shown, &new.shown);
             // What a hand has put down is there already.
             let walked = old.options.ghost.is_none() && one_step(&old.shown, &new.shown);
-            self.motion = (walked && !new.reduced_motion).then(|| (motion, host::now()));
+            let glides = !new.reduced_motion && self.canvas < CANVASES;
+            self.due = true;
+            self.motion = (walked && glides).then(|| (motion, host::now()));
             self.next_frame(ctx);
         }
         // Whom to tell is asked when there is something to tell.
@@ -112,12 +101,14 @@ impl Component for Canvas {
             options,
             label,
             interactive,
+            labels,
             reduced_motion: _,
+            playing: _,
             step_ms: _,
             on_point: _,
         } = new;
-        (shown, options, label, interactive)
-            != (&old.shown, &old.options, &old.label, &old.interactive)
+        (shown, options, label, interactive, labels)
+            != (&old.shown, &old.options, &old.label, &old.interactive, &old.labels)
     }
 
     fn update(&mut self, ctx: &Context<Self>, message: Message) -> bool {
@@ -142,17 +133,24 @@ impl Component for Canvas {
             Message::Attached(..) | Message::Lost(_) => false,
             Message::Frame => {
                 self.awaited = false;
+                if self.view.is_some() && self.pace.frame() {
+                    self.draw_plainly();
+                    return true;
+                }
                 let glide_ms = glide_ms(ctx);
                 let over = |(_, begun): &(Motion, f64)| host::now() - begun >= glide_ms;
                 let ended = self.motion.take_if(|motion| over(motion)).is_some();
+                let due = std::mem::take(&mut self.due) || self.motion.is_some();
                 if self.motion.is_some() {
                     self.next_frame(ctx);
                 }
                 if self.view.is_some() && !ended {
-                    self.paint(ctx);
+                    if due {
+                        self.paint(ctx);
+                    }
                     return false;
                 }
-                true
+                due || ended
             }
             Message::Resized => {
                 self.paint(ctx);
@@ -166,7 +164,7 @@ impl Component for Canvas {
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let Props { shown, label, interactive, .. } = ctx.props();
+        let Props { shown, label, interactive, labels, .. } = ctx.props();
         let backend = self.view.as_ref().map_or_else(|| "svg".to_owned(), View::backend);
         let drawn = self.view.is_some();
         let pointer =
@@ -186,6 +184,7 @@ impl Component for Canvas {
                 <svg class="picture" role="img" aria-label={label.clone()}
                     viewBox={sketch::view_box(&Extent::of(shown))}>
                     if !drawn { { sketch::quads(&self.scene(ctx)) } }
+                    { labels.clone() }
                 </svg>
             </div>
         }
@@ -219,7 +218,7 @@ impl Canvas {
 
     /// Tells what a pointer does, and holds on to one that drags beyond the picture's edge.
     fn point(&mut self, ctx: &Context<Self>, kind: PointKind, event: &PointerEvent) {
-        let Props { shown, interactive, on_point, .. } = ctx.props();
+        let Props { shown, on_point, .. } = ctx.props();
         let Some(stage) = self.stage.cast::<Element>() else { return };
         let ours = |held: Option<i32>| held.is_none_or(|id| id == event.pointer_id());
         if !ours(self.held) || kind == PointKind::Down && event.button() != 0 {
@@ -231,25 +230,37 @@ impl Canvas {
         let y = (f64::from(event.client_y()) - rect.top()) as f32;
         let cell = fit.cell(x, y);
         match kind {
-            PointKind::Down if *interactive => {
+            PointKind::Down => {
                 self.held = Some(event.pointer_id());
                 // A pointer that is gone already needs no holding.
                 let _ = stage.set_pointer_capture(event.pointer_id());
             }
             PointKind::Move if self.held.is_none() && self.over == Some(cell) => return,
             PointKind::Up | PointKind::Leave => self.held = None,
-            PointKind::Down | PointKind::Move => {}
+            PointKind::Move => {}
         }
         self.over = (kind != PointKind::Leave).then_some(cell);
         let [x, y] = fit.point(x, y);
         on_point.emit(Point { kind, x, y, cell });
     }
 
-    fn paint(&self, ctx: &Context<Self>) {
+    fn paint(&mut self, ctx: &Context<Self>) {
         if let Some(view) = &self.view {
             // A GPU that is gone tells so by `on_lost`.
             let _ = view.draw(&self.scene(ctx), host::pixel_ratio());
+            if ctx.props().playing {
+                self.pace.drawn();
+                self.next_frame(ctx);
+            }
         }
+    }
+
+    /// From now on the page draws by itself, and steps jump.
+    fn draw_plainly(&mut self) {
+        if let Some(view) = self.view.take() {
+            view.detach();
+        }
+        (self.observer, self.motion, self.canvas) = (None, None, CANVASES);
     }
 
     fn next_frame(&mut self, ctx: &Context<Self>) {
@@ -274,26 +285,13 @@ impl Canvas {
 
     fn observe(&mut self, ctx: &Context<Self>) {
         let link = ctx.link().clone();
-        let resized = Closure::<dyn FnMut()>::new(move || link.send_message(Message::Resized));
-        let observer = ResizeObserver::new(resized.as_ref().unchecked_ref());
-        if let (Ok(observer), Some(canvas)) = (observer, self.node.cast::<HtmlCanvasElement>()) {
-            observer.observe(&canvas);
-            self.observer = Some(Observer { observer, _resized: resized });
-        }
+        let canvas = self.node.cast::<HtmlCanvasElement>();
+        self.observer = canvas
+            .and_then(|canvas| Observer::of(&canvas, move || link.send_message(Message::Resized)));
     }
 }
 
 /// How long a step glides.
 fn glide_ms(ctx: &Context<Canvas>) -> f64 {
     f64::from(ctx.props().step_ms.max(1)) * GLIDE
-}
-
-/// Whether the way is one that can be walked in a step: anything further is a jump.
-fn one_step(before: &State, after: &State) -> bool {
-    let (a, b) = (&before.agent, &after.agent);
-    let near = |[ax, ay]: [i32; 2], [bx, by]: [i32; 2]| ax.abs_diff(bx) + ay.abs_diff(by) <= 1;
-    let same = |name: &str| before.objects.iter().find(|o| o.name == name);
-    before.rooms == after.rooms
-        && after.objects.iter().all(|o| same(&o.name).is_none_or(|b| near([b.x, b.y], [o.x, o.y])))
-        && near([a.x, a.y], [b.x, b.y])
 }

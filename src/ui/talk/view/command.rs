@@ -1,19 +1,18 @@
-//! The command box, with commands to try.
+//! The command box, and commands to try.
 
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::ask::is_asking;
-use crate::ui::talk::command::state::EXAMPLES;
+use crate::ui::talk::command::offer::{Examples, KINDS};
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
 use web_sys::{HtmlInputElement, SubmitEvent};
-use yew::{Callback, Html, InputEvent, TargetCast, html};
+use yew::{Callback, Html, InputEvent, TargetCast, classes, html};
 
 /// The command box.
 pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
-    let can_ask = shared.can_ask();
     let send = act.reform(|event: SubmitEvent| {
         event.prevent_default();
         Action::Ask
@@ -24,30 +23,20 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
     });
     html! {
         <>
-            <form class="say" onsubmit={send}>
+            <form class="say main" onsubmit={send}>
                 <label class="unseen" for="command">{ text.what_to_do }</label>
                 <input id="command" type="text" lang="en" autocomplete="off" autocapitalize="off"
                     spellcheck="false" enterkeyhint="send" data-testid="command" value={state.command.input.clone()}
-                    oninput={typed} aria-describedby="say-hint" placeholder={EXAMPLES[0]} />
+                    oninput={typed} aria-describedby="say-hint" placeholder={text.what_to_do} />
                 if is_asking(shared) {
                     <button type="button" class="primary" data-testid="stop"
                         onclick={act.reform(|_| Action::StopPlanning)}>{ text.stop }</button>
                 } else {
-                    <button type="submit" class="primary" data-testid="ask" disabled={!can_ask}>
+                    <button type="submit" class="primary" data-testid="ask" disabled={!shared.can_ask()}>
                         { text.tell }
                     </button>
                 }
             </form>
-            <div class="chips" id="say-hint">
-                <span class="dim">{ if can_ask { text.try_this } else { text.getting_ready } }</span>
-                { for EXAMPLES.iter().enumerate().map(|(i, example)| html! {
-                    <button type="button" class="chip" lang="en" disabled={!can_ask}
-                        data-testid={format!("example-{i}")}
-                        onclick={act.reform(move |_| Action::AskExample((*example).to_owned()))}>
-                        { *example }
-                    </button>
-                }) }
-            </div>
             { notice(state.command.notice.as_deref(), "ask-notice") }
             if let Some(words) = &shared.model_notice {
                 <div class="notice" role="alert" data-testid="model-notice">
@@ -60,5 +49,30 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
                 </div>
             }
         </>
+    }
+}
+
+/// The order that commands to try are shown in: what is to be taught comes early, lest it be out of sight.
+const SHOWN: [usize; KINDS] = [0, 1, Examples::TAUGHT, 2, 3, 4];
+
+/// Commands to try; one is there to be taught.
+pub(super) fn examples(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
+    let can_ask = shared.can_ask();
+    let found = &state.command_examples.found;
+    html! {
+        <div class="chips" id="say-hint">
+            <span class="dim">{ if can_ask { text.try_this } else { text.getting_ready } }</span>
+            { for SHOWN.iter().filter_map(|&place| Some((place, found.get(place)?.clone()?))).map(|(place, command)| {
+                let is_new = place == Examples::TAUGHT;
+                html! {
+                    <button type="button" class={classes!("chip", is_new.then_some("new"))} lang="en" disabled={!can_ask}
+                        title={is_new.then_some(text.unknown_example)} data-testid={format!("example-{place}")}
+                        onclick={act.reform({ let command = command.clone(); move |_| Action::AskExample(command.clone()) })}>
+                        { command }
+                    </button>
+                }
+            }) }
+        </div>
     }
 }

@@ -8,7 +8,7 @@ use crate::ui::talk::room::edit::Look;
 use crate::ui::talk::room::state::{Room, Tool};
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
-use web_sys::{HtmlInputElement, HtmlTextAreaElement, SubmitEvent};
+use web_sys::{Event, HtmlInputElement, HtmlTextAreaElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The tools, with what they are set to.
@@ -91,15 +91,9 @@ pub(super) fn worlds(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                   value: u32,
                   range: (u32, u32),
                   set: fn(Blueprint, u32) -> Blueprint| {
-        let typed = act.reform(move |event: InputEvent| {
-            Action::SetBlueprint(set(blueprint, typed(&event).unwrap_or(value)))
-        });
-        field(id, label, value, range, typed)
+        field(id, label, value, range, act.reform(move |n| Action::SetBlueprint(set(blueprint, n))))
     };
-    let seeded = {
-        let seed = *seed;
-        act.reform(move |event: InputEvent| Action::SetSeed(typed(&event).unwrap_or(seed)))
-    };
+    let seeded = act.reform(Action::SetSeed);
     let styled = act
         .reform(move |n| Action::SetBlueprint(Blueprint { style: at(Style::ALL, n), ..blueprint }));
     let locked = act
@@ -160,13 +154,21 @@ fn field(
     label: &'static str,
     value: u32,
     (min, max): (u32, u32),
-    typed: Callback<InputEvent>,
+    set: Callback<u32>,
 ) -> Html {
+    // What is no number yet is left as it is typed, and put right when the field is left.
+    let typing = set.clone();
+    let typed = Callback::from(move |event: InputEvent| {
+        if let Some(number) = typed(&event) {
+            typing.emit(number);
+        }
+    });
+    let left = set.reform(move |_: Event| value);
     html! {
         <label class="field" for={id}>
             <span>{ label }</span>
             <input {id} type="number" inputmode="numeric" min={min.to_string()} max={max.to_string()}
-                value={value.to_string()} data-testid={id} oninput={typed} />
+                value={value.to_string()} data-testid={id} oninput={typed} onchange={left} />
         </label>
     }
 }

@@ -2,6 +2,7 @@
 
 use super::canvas::Canvas;
 use super::cells::Cells;
+use super::over::{labels, question};
 use crate::domain::Direction;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::action::Action;
@@ -32,14 +33,33 @@ pub(super) fn stage(state: &State, shared: &Shared, act: &Callback<Action>) -> H
         <>
             <div class="room-keys" tabindex="0" role="application" aria-label={text.room_keys}
                 aria-describedby="room-help" data-testid="room" onkeydown={press}>
-                <Canvas shown={shown.clone()} options={overlay::options(state, shared)} step_ms={state.watch.speed.step_ms()}
+                <Canvas shown={shown.clone()} options={overlay::options(state, shared)} playing={state.watch.playback.as_ref().is_some_and(|plan| plan.playing())}
+                    step_ms={state.watch.speed.step_ms()}
                     reduced_motion={shared.preferences.reduced_motion} label={text.phrases.world(shown)}
-                    interactive={mode != Mode::Watch} on_point={act.reform(Action::Point)} />
+                    interactive={mode != Mode::Watch} on_point={act.reform(Action::Point)} labels={labels(state, shared)} />
+                { question(state, shared, act) }
             </div>
             <p id="room-help" class="unseen">{ text.keys_help(mode) }</p>
-            <p class="caption" data-testid="robot-place">{ text.phrases.robot(shown) }</p>
-            <Cells shown={shown.clone()} language={shared.language} />
+            if state.watch.playback.is_none() && mode == Mode::Watch {
+                <p class="caption" data-testid="robot-place">{ text.phrases.robot(shown) }</p>
+            }
         </>
+    }
+}
+
+/// What lies below it all: the room cell by cell, for those who do not see the picture, and which model reads.
+pub(super) fn cells(state: &State, shared: &Shared) -> Html {
+    let text = Text::of(shared.language);
+    let model = shared.document.model.as_ref();
+    html! {
+        <div class="below">
+            <Cells shown={state.shown(shared).clone()} language={shared.language} />
+            if let Some(model) = model {
+                <p class="dim" data-testid="model-in-use">
+                    { (text.model_in_use)(&model.origin, model.report.entries, shared.document.lessons.len()) }
+                </p>
+            }
+        </div>
     }
 }
 

@@ -1,12 +1,14 @@
-//! The whole Talk page, as deep as the person wants to look.
+//! The whole Talk page: one column at heart, with the room, what was understood and the command box; and what lies
+//! beside it, as deep as the person wants to look.
 
 use super::answer::answer;
-use super::command::command;
+use super::command::{command, examples};
 use super::planner::planner;
 use super::readings::readings;
 use super::room::room;
 use super::rules::rules;
 use super::share::sharing;
+use super::stage::cells;
 use super::study::study;
 use super::teach::lessons;
 use crate::ui::page::preferences::Depth;
@@ -21,13 +23,17 @@ use yew::{Callback, Html, html};
 pub(crate) fn talk(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let watched = shared.depth >= Depth::See && state.room.mode == Mode::Watch;
     html! {
-        <main class="columns talk" data-depth={format!("{:?}", shared.depth).to_ascii_lowercase()}>
+        <main class="talk" data-depth={format!("{:?}", shared.depth).to_ascii_lowercase()}>
             { sharing(state, shared, act) }
-            <section class="card command" aria-label={Text::of(shared.language).tell}>
-                { command(state, shared, act) }
-                { answer(state, shared, act) }
-            </section>
-            { room(state, shared, act) }
+            <div class="card heart">
+                { room(state, shared, act) }
+                <section class="command" aria-label={Text::of(shared.language).tell}>
+                    { answer(state, shared, act) }
+                    { command(state, shared, act) }
+                    { examples(state, shared, act) }
+                </section>
+                { cells(state, shared) }
+            </div>
             <div class="column side">
                 { lessons(state, shared, act) }
                 if watched {

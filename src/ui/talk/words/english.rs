@@ -1,6 +1,7 @@
 //! The Talk page in English; what each word is for stands here for all languages.
 
 use super::table::{Faults, Helps, Text};
+use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::English;
 use crate::ui::talk::room::edit::Obstacle;
 
@@ -23,11 +24,16 @@ pub(super) static ENGLISH: Text = Text {
     tell: "Tell it",
     stop: "Stop",
     try_this: "Try",
+    hello: "Tell me what to do, in English, or press an example.",
+    ask_why: "Why?",
+    show_grammar: "Show the grammar",
+    less: "Less",
+    unknown_example: "A word that I do not know yet: teach me",
     getting_ready: "Getting ready…",
     train_one: "Train one",
     the_words: "The words as I read them",
-    it_means: "I understood:",
-    it_would_mean: "I would understand:",
+    it_means: "I will",
+    it_would_mean: "I would",
     has_steps: |n| {
         if n == 1 {
             "The plan has one step.".to_owned()
@@ -35,7 +41,7 @@ pub(super) static ENGLISH: Text = Text {
             format!("The plan has {n} steps.")
         }
     },
-    it_could: "I could do this much:",
+    it_could: "I could",
     take_for: |own, other| format!("I take “{own}” for “{other}”."),
     which: ["Is this what you mean?", "Which do you mean?"],
     none_of_these: "None of these: I will show you",
@@ -137,6 +143,10 @@ pub(super) static ENGLISH: Text = Text {
     own_world: "Your own",
     another_world: "A random room",
     reset: "As it began",
+    moved: "What is that to mean?",
+    moved_teach: "Teach this",
+    moved_keep: "Just move it",
+    moved_back: "Put it back",
     as_it_began: "The room is as it began.",
     room_is_for: "What to do in the room",
     room_keys: "The room",
@@ -155,6 +165,15 @@ pub(super) static ENGLISH: Text = Text {
     ],
     worlds: ["Three rooms", "Hall", "Store", "Locked doors"],
     cell_by_cell: "Cell by cell",
+    model_in_use: |origin, entries, lessons| {
+        let own = match origin {
+            Origin::Shipped => "the page’s own".to_owned(),
+            Origin::Trained(corpus) => format!("trained here on {corpus}"),
+            Origin::File => "from a file".to_owned(),
+        };
+        let taught = if lessons > 0 { format!(", taught {lessons}") } else { String::new() };
+        format!("Model: {own}, {entries} entries{taught}")
+    },
     cells_caption: "The room, from the north row to the south, cells from the west.",
 
     the_plan: "The plan",

@@ -1,6 +1,7 @@
 //! The Talk page in German. Commands stay English: the parser has learned no other.
 
 use super::table::{Faults, Helps, Text};
+use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::German;
 use crate::ui::talk::room::edit::Obstacle;
 use crate::worker::protocol::Why;
@@ -28,11 +29,16 @@ pub(super) static GERMAN: Text = Text {
     tell: "Sagen",
     stop: "Halt",
     try_this: "Zum Beispiel",
+    hello: "Sag mir auf Englisch, was ich tun soll, oder drück ein Beispiel.",
+    ask_why: "Warum?",
+    show_grammar: "Grammatik zeigen",
+    less: "Weniger",
+    unknown_example: "Ein Wort, das ich noch nicht kenne: Bring es mir bei",
     getting_ready: "Gleich bereit…",
     train_one: "Eines trainieren",
     the_words: "Die Wörter, wie ich sie lese",
-    it_means: "Verstanden:",
-    it_would_mean: "Ich würde verstehen:",
+    it_means: "Ich werde",
+    it_would_mean: "Ich würde",
     has_steps: |n| {
         if n == 1 {
             "Der Plan hat einen Schritt.".to_owned()
@@ -40,7 +46,7 @@ pub(super) static GERMAN: Text = Text {
             format!("Der Plan hat {n} Schritte.")
         }
     },
-    it_could: "So viel könnte ich tun:",
+    it_could: "Ich könnte",
     take_for: |own, other| format!("„{own}“ halte ich für „{other}“."),
     which: ["Meinst du das?", "Was davon meinst du?"],
     none_of_these: "Nichts davon: Ich zeige es dir",
@@ -136,6 +142,10 @@ pub(super) static GERMAN: Text = Text {
     own_world: "Eigener",
     another_world: "Ein zufälliger Raum",
     reset: "Wie am Anfang",
+    moved: "Was soll das bedeuten?",
+    moved_teach: "Das lehren",
+    moved_keep: "Nur umstellen",
+    moved_back: "Zurückstellen",
     as_it_began: "Der Raum ist wie am Anfang.",
     room_is_for: "Was man im Raum tut",
     room_keys: "Der Raum",
@@ -158,6 +168,15 @@ pub(super) static GERMAN: Text = Text {
     ],
     worlds: ["Drei Räume", "Flur", "Lager", "Verschlossene Türen"],
     cell_by_cell: "Feld für Feld",
+    model_in_use: |origin, entries, lessons| {
+        let own = match origin {
+            Origin::Shipped => "das der Seite".to_owned(),
+            Origin::Trained(corpus) => format!("hier trainiert mit {corpus}"),
+            Origin::File => "aus einer Datei".to_owned(),
+        };
+        let taught = if lessons > 0 { format!(", gelehrt: {lessons}") } else { String::new() };
+        format!("Modell: {own}, {entries} Einträge{taught}")
+    },
     cells_caption: "Der Raum, von der nördlichen Zeile zur südlichen, Felder von Westen.",
 
     the_plan: "Der Plan",

@@ -13,9 +13,14 @@ use crate::ui::talk::why::help::Help;
 use crate::worker::protocol::{Claim, Word};
 
 impl Text {
+    /// What the robot would, could or will do, names between asterisks: "I will go to *the blue room*."
+    pub fn intention(&self, would: &str, claim: &Claim) -> String {
+        format!("{would} {}.", self.phrases.deed(claim))
+    }
+
     /// A goal as it was understood.
     pub fn understood(&self, claim: &Claim) -> String {
-        format!("{} {}", self.it_means, self.phrases.sentence(claim))
+        self.intention(self.it_means, claim).replace('*', "")
     }
 
     /// A question about so many readings.
@@ -69,7 +74,7 @@ impl Text {
                 return (helps.add)(&self.phrases.look(look.color, look.shape, look.size));
             }
             Help::Just(claim) => {
-                return format!("{}: {}", helps.just, self.phrases.sentence(claim));
+                return format!("{}: {}", helps.just, self.phrases.deed(claim).replace('*', ""));
             }
             Help::Teach => helps.teach,
             Help::Edit => helps.edit,

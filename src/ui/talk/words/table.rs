@@ -1,5 +1,6 @@
 //! What a language has to have a word for on the Talk page.
 
+use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::Phrases;
 use crate::ui::talk::room::edit::Obstacle;
 use crate::ui::talk::room::state::{Mode, Tool};
@@ -29,6 +30,11 @@ pub struct Text {
     pub tell: &'static str,
     pub stop: &'static str,
     pub try_this: &'static str,
+    pub hello: &'static str,
+    pub ask_why: &'static str,
+    pub show_grammar: &'static str,
+    pub less: &'static str,
+    pub unknown_example: &'static str,
     pub getting_ready: &'static str,
     pub train_one: &'static str,
     pub the_words: &'static str,
@@ -62,12 +68,17 @@ pub struct Text {
     pub own_world: &'static str,
     pub another_world: &'static str,
     pub reset: &'static str,
+    pub moved: &'static str,
+    pub moved_teach: &'static str,
+    pub moved_keep: &'static str,
+    pub moved_back: &'static str,
     pub as_it_began: &'static str,
     pub room_is_for: &'static str,
     pub room_keys: &'static str,
     pub modes: [(&'static str, &'static str, &'static str); Mode::ALL.len()],
     pub worlds: [&'static str; 4],
     pub cell_by_cell: &'static str,
+    pub model_in_use: fn(&Origin, usize, usize) -> String,
     pub cells_caption: &'static str,
 
     // The plan.

@@ -1,0 +1,17 @@
+//! How far the page is with what it does by itself.
+
+/// How far it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Demo {
+    /// Nobody asked for it.
+    #[default]
+    Unwanted,
+    /// It begins as soon as a command can be sent.
+    Wanted,
+    /// So many letters stand there.
+    Typing(usize),
+    /// It was sent.
+    Doing,
+    /// It is over.
+    Over,
+}
