@@ -11,7 +11,6 @@ mod landmarks;
 mod cells;
 mod distance;
 mod wish;
-mod pairs;
 mod bound;
 mod compile;
 pub mod task;
