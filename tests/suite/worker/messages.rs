@@ -315,5 +315,5 @@ fn events_come_back_from_the_wire() {
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
     ];
-    come_back(&messages, 24);
+    come_back(&messages, 25);
 }
