@@ -69,10 +69,10 @@ flow('half a command is told and offered, and not done by itself', async (t) => 
 flow('a shade is the colour most like it, and an unknown noun what lies near it', async (t) => {
   const demo = await openWith(t);
   await demo.ask('go to the violet room');
+  await demo.says(/I take “violet” for “blue”/);
   await t.equal(() => demo.plain(), 'I will go to the violet room.', 'what it understood');
   await t.equal(() => demo.why(), ['taken'], 'what is said');
   await t.equal(() => told(demo, 'taken'), 'I take “violet” for “blue”. ', 'what it takes it for');
-  await demo.says(/I take “violet” for “blue”/);
   await demo.finish();
   await t.equal(async () => (await demo.robot()).room, 'blue', 'where the robot ends');
   await demo.ask('go to the armchair');
