@@ -61,7 +61,8 @@ pub(super) fn examples(state: &State, shared: &Shared, act: &Callback<Action>) -
     let can_ask = shared.can_ask();
     let found = &state.command_examples.found;
     html! {
-        <div class="chips" id="say-hint">
+        // What scrolls can be reached by keyboard, also while its buttons cannot.
+        <div class="chips" id="say-hint" tabindex={(!can_ask).then_some("0")}>
             <span class="dim">{ if can_ask { text.try_this } else { text.getting_ready } }</span>
             { for SHOWN.iter().filter_map(|&place| Some((place, found.get(place)?.clone()?))).map(|(place, command)| {
                 let is_new = place == Examples::TAUGHT;
