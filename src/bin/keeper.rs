@@ -1,0 +1,71 @@
+//! The keeper's module: the store of what the page keeps, which the page imports once it is to be seen
+//! (`ui::page::view::keeper`). Its exports are all there is of it. A fault is thrown as its name.
+
+#[cfg(target_arch = "wasm32")]
+mod exports {
+    #![expect(unreachable_pub, reason = "reached from JavaScript")]
+
+    use groundling::ui::page::keep::fault::Fault;
+    use groundling::ui::page::view::claim;
+    use groundling::ui::page::view::store::Store;
+    use js_sys::{Array, Function};
+    use wasm_bindgen::JsValue;
+    use wasm_bindgen::prelude::wasm_bindgen;
+
+    /// The store, open.
+    #[wasm_bindgen]
+    pub struct Keeper(Store);
+
+    /// Opens the store of this name; `told` is called with the name of a fault that comes later.
+    #[wasm_bindgen]
+    pub async fn open(name: String, told: Function) -> Result<Keeper, JsValue> {
+        let (blocked, gone) = (teller(&told, Fault::Older), teller(&told, Fault::Newer));
+        Store::open(&name, blocked, gone).await.map(Keeper).map_err(thrown)
+    }
+
+    /// Claims a name for this tab; `told` is called when another tab takes it.
+    #[wasm_bindgen]
+    pub async fn claim(name: String, steal: bool, told: Function) -> bool {
+        claim::claim(&name, steal, teller(&told, Fault::Elsewhere)).await
+    }
+
+    #[wasm_bindgen]
+    impl Keeper {
+        /// Keeps a text.
+        pub async fn write(&self, kind: String, name: String, text: String) -> Result<(), JsValue> {
+            self.0.write(&kind, &name, &text).await.map_err(thrown)
+        }
+
+        /// A text, and whether its newest copy was damaged; nothing when it is not kept.
+        pub async fn read(&self, kind: String, name: String) -> Result<JsValue, JsValue> {
+            let found = self.0.read(&kind, &name).await.map_err(thrown)?;
+            Ok(found.map_or(JsValue::NULL, |(text, damaged)| {
+                Array::of2(&text.into(), &damaged.into()).into()
+            }))
+        }
+
+        /// What is kept, as JSON.
+        pub async fn list(&self) -> Result<String, JsValue> {
+            self.0.list().await.map_err(thrown)
+        }
+
+        /// Deletes a text; all of them, if the kind is empty.
+        pub async fn delete(&self, kind: String, name: String) -> Result<(), JsValue> {
+            self.0.delete(&kind, &name).await.map_err(thrown)
+        }
+    }
+
+    fn teller(told: &Function, fault: Fault) -> impl FnOnce() + 'static {
+        let told = told.clone();
+        move || {
+            // The page listens as long as it lives.
+            let _ = told.call1(&JsValue::NULL, &fault.name().into());
+        }
+    }
+
+    fn thrown(fault: Fault) -> JsValue {
+        fault.name().into()
+    }
+}
+
+fn main() {}
