@@ -4,18 +4,21 @@
 use super::action::{Action, View};
 use super::state::State;
 use super::words::Text;
-use super::{hear, wish};
+use super::{hear, keep, wish};
 use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
+use crate::ui::page::keep::ask::Ask;
+use crate::ui::page::keep::state::short;
 use crate::ui::page::words::Text as Common;
 use crate::ui::page::{engines, model, resource};
-use crate::ui::{talk, train};
+use crate::ui::{help, kept, talk, train};
 use crate::worker::protocol::Program;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
-    let State { shared, view, talk, train } = state;
+    let changes = keep::changes(&action);
+    let State { shared, view, talk, train, help } = state;
     match action {
         Action::Talk(action) => talk::update::update(talk, shared, action),
         Action::Train(action) => {
@@ -23,17 +26,28 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             wish::grant(state, wish);
         }
 
+        Action::Kept(action) => {
+            let wish = kept::update::update(shared, action);
+            if let Some(kept::Wish::Open(file)) = wish {
+                wish::open(state, file);
+            }
+        }
+
         Action::Opened(language) => {
             shared.language = language;
             shared.wake(Program::Talker);
             shared.want(Effect::FetchModel);
             shared.want(Effect::SetLanguage(language));
+            shared.want(Effect::Keep(Ask::Open));
         }
         Action::Prefers(preferences) => shared.preferences = preferences,
         Action::Go(to) => {
             *view = to;
-            if to == View::Train {
-                train::update::begin(train, shared);
+            match to {
+                View::Talk => {}
+                View::Train => train::update::begin(train, shared),
+                View::Kept => kept::update::begin(shared),
+                View::Help => help::state::begin(help, shared),
             }
         }
         Action::Deepen(depth) => {
@@ -43,6 +57,9 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Speak(language) => {
             shared.language = language;
             shared.want(Effect::SetLanguage(language));
+            if *view == View::Help {
+                help::state::begin(help, shared);
+            }
         }
         Action::Undo => travel(state, History::undo, |text| text.undone),
         Action::Redo => travel(state, History::redo, |text| text.redone),
@@ -58,17 +75,28 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             hear::told(state, program, Some(news));
         }
         Action::RestartEngine(program) => hear::restart(state, program),
+        Action::Stored(news) => keep::heard(state, news),
+        Action::Linked(link) => shared.keep.link = Some(short(&link)),
+        Action::Hidden | Action::Rang(Timer::Keep) => keep::keep(state),
+        Action::Afresh => keep::afresh(state),
+        Action::GoBack => keep::go_back(state),
+        Action::KeepHere => keep::keep_here(shared),
+        Action::CloseOrigin => shared.keep.origin = None,
         Action::Rang(Timer::Watch(program, watch)) => {
             let news = engines::look(shared, program, watch);
             hear::told(state, program, news);
         }
         Action::Rang(Timer::Play(play)) => talk::watch::play::rang(talk, shared, play),
         Action::Fetched(text) => model::fetched(shared, text),
+        Action::FetchedGuide(text) => help::state::came(help, text),
         Action::FetchedWords(text) => {
             if resource::fetched(shared, text) {
                 talk::hear::can_hear(talk, shared);
             }
         }
+    }
+    if changes {
+        keep::look(&mut state.shared);
     }
     state.shared.take_wanted()
 }

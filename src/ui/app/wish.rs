@@ -22,15 +22,21 @@ pub(super) fn grant(state: &mut State, wish: Option<train::Wish>) {
 
 /// Opens a file on the page that such files are for.
 pub(super) fn open(state: &mut State, Offered { name, text }: Offered) {
-    let State { shared, view, talk, train } = state;
+    let State { shared, view, talk, train, .. } = state;
     match text.map(|text| (files::kind(&name, &text), text)) {
         Ok((Kind::Corpus, text)) => {
             train::update::read_corpus(train, shared, name, text);
             *view = View::Train;
         }
-        Ok((Kind::Model, text)) => model::open_file(shared, text),
+        Ok((Kind::Model, text)) => {
+            model::open_file(shared, text);
+            if *view == View::Kept {
+                *view = View::Talk;
+            }
+        }
         Ok((Kind::Session, text)) => {
             talk::update::update(talk, shared, talk::Action::Open(Ok(text)));
+            *view = View::Talk;
         }
         Err(fault) => {
             train::update::refuse(train, shared, &name, fault);

@@ -19,6 +19,10 @@ pub enum Action {
     Ask,
     /// An example command was chosen: fill the box and send it.
     AskExample(String),
+    /// Bring the command said before into the box, or the one after it.
+    Recall(bool),
+    /// Go on from after something that was said, by its place.
+    GoOn(usize),
     /// Another reading was chosen.
     Choose(usize),
     /// What the person answered to the question is kept as a lesson.

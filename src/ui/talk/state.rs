@@ -1,6 +1,7 @@
 //! The state of the Talk page: that of its parts, and what is to be seen of it all together.
 
 use super::command::state::Command;
+use super::past::state::Past;
 use super::room::state::{Mode, Room};
 use super::share::state::{Resume, Sharing};
 use super::teach::state::Teach;
@@ -15,6 +16,8 @@ use crate::worker::protocol::{Answer, Reading};
 pub struct State {
     /// What is said, and about it.
     pub command: Command,
+    /// What was said before.
+    pub past: Past,
     /// What is done in the room.
     pub room: Room,
     /// What is watched.
@@ -32,6 +35,7 @@ impl State {
     pub fn new() -> State {
         State {
             command: Command::default(),
+            past: Past::default(),
             room: Room::new(),
             watch: Watch::new(),
             teach: Teach::default(),
@@ -59,6 +63,12 @@ impl State {
             Some(live) => live.readings.first(),
             None => shared.document.reading(),
         }
+    }
+
+    /// Whether a person has begun to do something here.
+    pub fn is_begun(&self, shared: &Shared) -> bool {
+        let has_said = shared.document.said.is_some() || shared.history.can_undo();
+        has_said || !self.command.input.is_empty()
     }
 
     /// The world goes on from what is shown; no plan is left.

@@ -4,6 +4,7 @@
 use super::action::Action;
 use super::command::state::Command;
 use super::command::{ask, study};
+use super::past::recall;
 use super::room::{hand, worlds};
 use super::share::exchange;
 use super::share::state::Sharing;
@@ -19,10 +20,22 @@ use crate::worker::protocol::Program;
 
 /// Does what a person wants.
 pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
+    if matches!(
+        action,
+        Action::Ask
+            | Action::AskExample(_)
+            | Action::Choose(_)
+            | Action::SetRules(_)
+            | Action::Help(_)
+    ) {
+        state.resume.is_quiet = false;
+    }
     match action {
         Action::Typed(command) => ask::typed(state, shared, &command),
         Action::Ask => ask::ask(state, shared),
         Action::AskExample(command) => ask::ask_for(state, shared, command),
+        Action::Recall(back) => recall::recall(state, shared, back),
+        Action::GoOn(place) => recall::go_on(state, shared, place),
         Action::Choose(reading) => ask::choose(state, shared, reading),
         Action::Remember => learn::remember(state, shared),
         Action::Link(link) => state.command.link = link,

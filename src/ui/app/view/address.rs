@@ -47,14 +47,13 @@ pub(super) fn watch(act: &Callback<Action>) {
 fn read(act: &Callback<Action>) {
     let hash = web_sys::window().and_then(|w| w.location().hash().ok()).unwrap_or_default();
     if let Some(packed) = hash.strip_prefix(SESSION) {
+        act.emit(Action::Linked(hash.trim_start_matches('#').to_owned()));
         let (packed, act) = (packed.to_owned(), act.clone());
         spawn_local(
             async move { act.emit(Action::Talk(talk::Action::Open(unpack(&packed).await))) },
         );
-    } else if hash == "#train" {
-        act.emit(Action::Go(View::Train));
-    } else if hash == "#talk" {
-        act.emit(Action::Go(View::Talk));
+    } else if let Some(view) = View::of(hash.trim_start_matches('#')) {
+        act.emit(Action::Go(view));
     }
 }
 

@@ -5,6 +5,7 @@ use super::address;
 use crate::ui::app::action::Action;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::view::host;
+use crate::ui::page::view::keeper::Keeper;
 use crate::worker::protocol::{Program, decode, encode};
 use gloo_timers::callback::Timeout;
 use js_sys::Uint8Array;
@@ -28,6 +29,7 @@ const WORDS: &str = "words.txt";
 /// Carries effects out, and tells the page what comes of them.
 pub(super) struct Effects {
     act: Callback<Action>,
+    keeper: Keeper,
     talker: Option<Engine>,
     learner: Option<Engine>,
 }
@@ -50,7 +52,8 @@ impl Drop for Engine {
 impl Effects {
     /// Results go to `act`.
     pub(super) fn new(act: Callback<Action>) -> Effects {
-        Effects { act, talker: None, learner: None }
+        let keeper = Keeper::new(act.reform(Action::Stored));
+        Effects { act, keeper, talker: None, learner: None }
     }
 
     /// Carries effects out, in order.
@@ -82,20 +85,12 @@ impl Effects {
                 let act = self.act.clone();
                 Timeout::new(ms, move || act.emit(Action::Rang(timer))).forget();
             }
-            Effect::FetchModel => {
-                let act = self.act.clone();
-                spawn_local(async move {
-                    let text = fetch(MODEL).await.map_err(|error| host::words(&error));
-                    act.emit(Action::Fetched(text));
-                });
+            Effect::FetchModel => self.fetch(MODEL.to_owned(), Action::Fetched),
+            Effect::FetchWords => self.fetch(WORDS.to_owned(), Action::FetchedWords),
+            Effect::FetchGuide(language) => {
+                self.fetch(format!("help.{}.txt", language.code()), Action::FetchedGuide);
             }
-            Effect::FetchWords => {
-                let act = self.act.clone();
-                spawn_local(async move {
-                    let text = fetch(WORDS).await.map_err(|error| host::words(&error));
-                    act.emit(Action::FetchedWords(text));
-                });
-            }
+            Effect::Keep(ask) => self.keeper.ask(ask),
             Effect::SetLanguage(language) => host::set_language(language.code()),
             Effect::Share(text) => address::share(text, self.act.clone()),
             Effect::Copy(text) => {
@@ -107,6 +102,14 @@ impl Effects {
             Effect::Save { name, text } => save(&name, &text)?,
         }
         Ok(())
+    }
+
+    /// Gets a file beside the page, and tells the page of its text.
+    fn fetch(&self, name: String, told: fn(Result<String, String>) -> Action) {
+        let act = self.act.clone();
+        spawn_local(async move {
+            act.emit(told(fetch(&name).await.map_err(|error| host::words(&error))));
+        });
     }
 
     const fn engine(&mut self, program: Program) -> &mut Option<Engine> {

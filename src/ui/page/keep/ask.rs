@@ -19,6 +19,8 @@ pub enum Ask {
     Read(Place),
     /// Keep a text.
     Write(Place, String),
+    /// Keep what is kept at a place at another, too.
+    Copy(Place, Place),
     /// Say what is kept.
     List,
     /// Delete a text; all of them, if there is none.
@@ -52,6 +54,8 @@ pub enum News {
     Claimed(bool),
     /// What is kept at a place, and whether its newest copy was damaged.
     Read(Place, Option<(String, bool)>),
+    /// A text is kept.
+    Written,
     /// What is kept.
     Listed(Vec<Item>),
     /// A text to give to the person.

@@ -3,6 +3,7 @@
 use super::ask::Place;
 use super::copies::Item;
 use super::fault::Fault;
+use std::rc::Rc;
 
 /// The name of the session that is nobody's link.
 pub const OWN: &str = "own";
@@ -18,12 +19,16 @@ pub struct Keep {
     pub made: Option<String>,
     /// How far it is.
     pub stage: Stage,
+    /// The name of the corpus that comes back, until it is read.
+    pub corpus: Option<String>,
     /// Why nothing is kept, or what cannot be read.
     pub fault: Option<Fault>,
     /// Where the session came from, as long as that is told.
     pub origin: Option<Origin>,
     /// What is kept, once somebody wanted to know.
     pub items: Option<Vec<Item>>,
+    /// The corpus that is kept beside the session.
+    pub kept_corpus: Option<Rc<str>>,
     /// The text that was kept last.
     pub last: String,
     /// Whether a timer runs after which the session is kept.
@@ -57,6 +62,12 @@ pub enum Origin {
     Left,
     /// It is new, since one had begun before the last was read, which is kept.
     New,
+}
+
+/// A short name for a link: FNV-1a of it, in 32 bits.
+pub fn short(link: &str) -> String {
+    let mix = |sum: u32, byte: u8| (sum ^ u32::from(byte)).wrapping_mul(16_777_619);
+    format!("{:08x}", link.bytes().fold(2_166_136_261, mix))
 }
 
 impl Keep {

@@ -90,7 +90,12 @@ impl Keeper {
             }
             Ask::Write(Place { kind, name }, text) => {
                 JsFuture::from(store.write(&kind, &name, &text)).await?;
-                return Ok(None);
+                News::Written
+            }
+            Ask::Copy(from, Place { kind, name }) => {
+                let Some((text, _)) = read(&store, &from).await? else { return Ok(None) };
+                JsFuture::from(store.write(&kind, &name, &text)).await?;
+                News::Written
             }
             Ask::List => list(&store).await?,
             Ask::Delete(place) => {
@@ -124,7 +129,10 @@ async fn load(told: &JsValue) -> Result<(Module, Store), JsValue> {
     Ok((module, store))
 }
 
-async fn read(store: &Store, Place { kind, name }: &Place) -> Result<Option<(String, bool)>, JsValue> {
+async fn read(
+    store: &Store,
+    Place { kind, name }: &Place,
+) -> Result<Option<(String, bool)>, JsValue> {
     let found = JsFuture::from(store.read(kind, name)).await?;
     let found = found.dyn_ref::<Array>().map(|found| (found.get(0), found.get(1)));
     Ok(found.map(|(text, damaged)| (JsString::from(text).into(), damaged.is_truthy())))

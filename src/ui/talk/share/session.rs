@@ -6,7 +6,8 @@ use crate::ui::page::document::{Document, Origin, Said};
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::state::MOST_CHARACTERS;
-use crate::worker::protocol::{Lesson, MOST_TAUGHT, WorldRules};
+use crate::ui::talk::past::state::{Line, MOST_LINES};
+use crate::worker::protocol::{Lesson, MOST_TAUGHT, PairText, WorldRules};
 use serde::{Deserialize, Serialize};
 
 /// The format's version.
@@ -42,6 +43,32 @@ pub struct Session {
     /// The model, unless it is the one that comes with the page: files only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
+    /// What only this machine keeps besides.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub also: Option<Box<Also>>,
+}
+
+/// What only this machine keeps besides: what comes back after a reload, and nobody else is sent.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Also {
+    /// Which of the page's worlds it was opened as.
+    pub preset: Option<usize>,
+    /// The world as it was opened.
+    pub origin: World,
+    /// The demonstration in preparation.
+    pub draft: Option<PairText>,
+    /// The words of the lesson in preparation.
+    pub lesson: String,
+    /// What stood in the command box.
+    pub input: String,
+    /// What was said before.
+    pub lines: Vec<Line>,
+    /// The language of the page.
+    pub language: String,
+    /// The link that was made of it, as a short name.
+    pub made: Option<String>,
+    /// The name of the corpus that was open on the Train page; its text is kept beside.
+    pub corpus: Option<String>,
 }
 
 /// Why a text is no session.
@@ -85,6 +112,7 @@ impl Session {
             depth: shared.depth,
             lessons: shared.document.taught(),
             model: own.filter(|_| whole).map(|model| model.report.model.clone()),
+            also: None,
         }
     }
 
@@ -130,6 +158,23 @@ impl Session {
         if self.command.as_ref().is_some_and(is_long) {
             return Err(SessionError::Command);
         }
+        if self.also.as_ref().is_some_and(|also| !also.is_legal()) {
+            return Err(SessionError::World("what was kept besides".to_owned()));
+        }
         Ok(())
+    }
+}
+
+impl Also {
+    /// Whether no limit is passed.
+    fn is_legal(&self) -> bool {
+        let draft = self.draft.iter().flat_map(|pair| [&pair.pre, &pair.post]);
+        let mut worlds = self.lines.iter().map(|line| &line.world).chain(draft);
+        let texts = self.lines.iter().map(|line| &line.command);
+        let mut texts = texts.chain([&self.lesson, &self.input]);
+        self.origin.check().is_ok()
+            && self.lines.len() <= MOST_LINES
+            && worlds.all(|world| world.check().is_ok())
+            && texts.all(|text| text.chars().count() <= MOST_CHARACTERS)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::answer::answer;
 use super::command::command;
+use super::past::past;
 use super::planner::planner;
 use super::readings::readings;
 use super::room::room;
@@ -30,6 +31,7 @@ pub(crate) fn talk(state: &State, shared: &Shared, act: &Callback<Action>) -> Ht
             { room(state, shared, act) }
             <div class="column side">
                 { lessons(state, shared, act) }
+                { past(state, shared, act) }
                 if watched {
                     { readings(state, shared, act) }
                     { planner(state, shared, act) }

@@ -132,6 +132,18 @@ pub(super) static ENGLISH: Text = Text {
     where_it_holds: "Where the goal would hold",
     phrases_title: "What it is about",
 
+    said_before: "What you said",
+    say_again: "Say it again",
+    go_on: "Go on from here",
+    go_on_after: |command| format!("Go on from after “{command}”"),
+    gone_back: |command| format!("The room is as it was after “{command}”."),
+    outcomes: [
+        "It was so already.",
+        "I asked what is meant.",
+        "It cannot be done.",
+        "I did not understand.",
+    ],
+
     the_room: "The room",
     choose_world: "Choose a room",
     own_world: "Your own",

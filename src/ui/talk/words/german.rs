@@ -131,6 +131,18 @@ pub(super) static GERMAN: Text = Text {
     where_it_holds: "Wo das Ziel erreicht wäre",
     phrases_title: "Worum es geht",
 
+    said_before: "Was du gesagt hast",
+    say_again: "Noch einmal sagen",
+    go_on: "Von hier aus weiter",
+    go_on_after: |command| format!("Weiter von nach „{command}“"),
+    gone_back: |command| format!("Der Raum ist wie nach „{command}“."),
+    outcomes: [
+        "Es war schon so.",
+        "Ich habe nachgefragt.",
+        "Das geht nicht.",
+        "Ich habe es nicht verstanden.",
+    ],
+
     the_room: "Der Raum",
     choose_world: "Einen Raum wählen",
     own_world: "Eigener",

@@ -56,6 +56,14 @@ pub struct Text {
     pub where_it_holds: &'static str,
     pub phrases_title: &'static str,
 
+    // What was said.
+    pub said_before: &'static str,
+    pub say_again: &'static str,
+    pub go_on: &'static str,
+    pub go_on_after: fn(&str) -> String,
+    pub gone_back: fn(&str) -> String,
+    pub outcomes: [&'static str; 4],
+
     // The room.
     pub the_room: &'static str,
     pub choose_world: &'static str,

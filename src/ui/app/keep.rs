@@ -1,0 +1,235 @@
+//! The session of this tab on this machine: it comes back when the page opens, and is kept whenever it has changed.
+//! It is what a file holds, and what nobody else is sent besides; a corpus is kept beside it.
+
+use super::action::Action;
+use super::state::State;
+use crate::ui::page::document::Document;
+use crate::ui::page::effect::{Effect, Timer};
+use crate::ui::page::keep::ask::{Ask, News, Place};
+use crate::ui::page::keep::fault::Fault;
+use crate::ui::page::keep::state::{Keep, OWN, Origin, SESSION, Stage};
+use crate::ui::page::shared::Shared;
+use crate::ui::page::words::Text;
+use crate::ui::page::{document, model};
+use crate::ui::talk::share::exchange::is_settled;
+use crate::ui::talk::share::session::{Also, Session};
+use crate::ui::{talk, train};
+use crate::worker::protocol::PairText;
+use std::rc::Rc;
+
+/// Milliseconds from a change to when it is kept: what changes meanwhile is kept with it.
+const WAIT_MS: u32 = 700;
+/// What kind a corpus is.
+const CORPUS: &str = "corpus";
+/// The session that was kept when the page was begun anew before it had come back.
+const BEFORE: &str = "before";
+
+/// The store said something.
+pub(super) fn heard(state: &mut State, news: News) {
+    let State { shared, .. } = state;
+    match news {
+        News::Open => {
+            (shared.keep.stage, shared.keep.fault) = (Stage::Reading, None);
+            claim(shared, false);
+        }
+        News::Claimed(ours) => claimed(shared, ours),
+        News::Read(place, found) if place.kind == SESSION => read(state, place, found),
+        News::Read(_, Some((text, _))) => {
+            if let Some(name) = shared.keep.corpus.take() {
+                train::update::read_corpus(&mut state.train, shared, name, text);
+            }
+        }
+        News::Read(_, None) => shared.keep.corpus = None,
+        News::Written if shared.keep.fault == Some(Fault::Full) => shared.keep.fault = None,
+        News::Written => {}
+        News::Listed(items) => shared.keep.items = Some(items),
+        News::Exported(Place { kind, name }, text) => {
+            let end = if kind == SESSION { "json" } else { "txt" };
+            shared.want(Effect::Save { name: format!("{kind}-{name}.{end}"), text });
+        }
+        News::Failed(place, fault) => failed(state, place, fault),
+    }
+}
+
+/// Claims this tab's session.
+fn claim(shared: &mut Shared, steal: bool) {
+    let name = shared.keep.place().name;
+    shared.want(Effect::Keep(Ask::Claim { name, steal }));
+}
+
+/// Whether this tab may keep its session is known.
+fn claimed(shared: &mut Shared, ours: bool) {
+    let keep = &mut shared.keep;
+    keep.fault = (!ours).then_some(Fault::Elsewhere);
+    if keep.stage == Stage::Reading {
+        shared.want(Effect::Keep(Ask::Read(Place::new(SESSION, OWN))));
+    } else {
+        keep.stage = if ours { Stage::Keeping } else { Stage::Watching };
+        keep.last.clear();
+    }
+}
+
+/// What was kept of a session has been read.
+fn read(state: &mut State, place: Place, found: Option<(String, bool)>) {
+    let keep = &mut state.shared.keep;
+    if keep.stage == Stage::Reading && keep.link.is_some() && place.name == OWN {
+        let session = found.as_ref().and_then(|(text, _)| Session::read(text).ok());
+        let made = session.and_then(|session| session.also).and_then(|also| also.made);
+        if made != keep.link {
+            // The link is another's: it is opened beside one's own session.
+            keep.origin = found.is_some().then_some(Origin::Link);
+            let place = keep.place();
+            return state.shared.want(Effect::Keep(Ask::Read(place)));
+        }
+        keep.link = None;
+        claim(&mut state.shared, false);
+    }
+    let is_first = state.shared.keep.stage == Stage::Reading;
+    if is_first {
+        let ours = state.shared.keep.fault != Some(Fault::Elsewhere);
+        state.shared.keep.stage = if ours { Stage::Keeping } else { Stage::Watching };
+    }
+    let Some((text, was_damaged)) = found else { return };
+    if is_first && state.shared.keep.link.is_none() && state.talk.is_begun(&state.shared) {
+        state.shared.keep.origin = Some(Origin::New);
+        let before = Place::new(SESSION, BEFORE);
+        return state.shared.want(Effect::Keep(Ask::Write(before, text)));
+    }
+    open(state, text);
+    let keep = &mut state.shared.keep;
+    keep.origin = Some(match (&keep.link, was_damaged) {
+        (Some(_), _) => Origin::Left,
+        (None, true) => Origin::Before,
+        (None, false) => Origin::Last,
+    });
+}
+
+/// Opens what was kept.
+fn open(state: &mut State, text: String) {
+    let State { shared, talk, .. } = state;
+    talk::update::update(talk, shared, talk::Action::Open(Ok(text)));
+    if shared.keep.corpus.is_some() {
+        let place = Place::new(CORPUS, &shared.keep.place().name);
+        shared.want(Effect::Keep(Ask::Read(place)));
+    }
+}
+
+/// Something went wrong with the store.
+fn failed(state: &mut State, place: Option<Place>, fault: Fault) {
+    let keep = &mut state.shared.keep;
+    if matches!(fault, Fault::None | Fault::Newer)
+        || place.is_none() && keep.stage != Stage::Keeping
+    {
+        keep.stage = Stage::Closed;
+    }
+    if fault == Fault::Elsewhere {
+        keep.stage = Stage::Watching;
+    }
+    let goes_on = keep.stage == Stage::Reading;
+    // What was kept last is not known: it is tried again with the next change.
+    keep.last.clear();
+    keep.fault = Some(fault.clone());
+    state.shared.say((Text::of(state.shared.language).fault)(&fault));
+    if goes_on && let Some(place) = place {
+        read(state, place, None);
+    }
+}
+
+/// Whether an action may change the session: not what only points, or is a timer's.
+pub(super) const fn changes(action: &Action) -> bool {
+    use talk::Action::{Link, Preview};
+    !matches!(
+        action,
+        Action::Rang(_) | Action::Stored(_) | Action::Hidden | Action::Talk(Link(_) | Preview(_))
+    )
+}
+
+/// Something has happened: what has changed of the session is kept soon.
+pub(super) fn look(shared: &mut Shared) {
+    if shared.keep.stage == Stage::Keeping && !shared.keep.is_waiting {
+        shared.keep.is_waiting = true;
+        shared.want(Effect::StartTimer(Timer::Keep, WAIT_MS));
+    }
+}
+
+/// Keeps the session, if it has changed.
+pub(super) fn keep(state: &mut State) {
+    state.shared.keep.is_waiting = false;
+    // What waits for a model is not in the document yet.
+    if state.shared.keep.stage != Stage::Keeping || !is_settled(&state.talk, &state.shared) {
+        return;
+    }
+    let text = text(state);
+    let State { shared, train, .. } = state;
+    if shared.keep.last == text {
+        return;
+    }
+    let place = shared.keep.place();
+    let has = |text| shared.keep.kept_corpus.as_ref().is_some_and(|kept| Rc::ptr_eq(kept, text));
+    let corpus = train.corpus.as_ref().filter(|corpus| !corpus.is_demo() && !has(&corpus.text));
+    if let Some(corpus) = corpus {
+        let beside = Place::new(CORPUS, &place.name);
+        shared.want(Effect::Keep(Ask::Write(beside, corpus.text.to_string())));
+        shared.keep.kept_corpus = Some(corpus.text.clone());
+    }
+    shared.keep.last.clone_from(&text);
+    shared.want(Effect::Keep(Ask::Write(place, text)));
+}
+
+/// The session as it is kept.
+fn text(state: &State) -> String {
+    let State { shared, talk, train, .. } = state;
+    let Document { preset, origin, draft, .. } = &shared.document;
+    let corpus = train.corpus.as_ref().filter(|corpus| !corpus.is_demo());
+    let also = Also {
+        preset: *preset,
+        origin: (**origin).clone(),
+        draft: draft.clone().map(|draft| PairText { pre: draft.before, post: draft.after }),
+        lesson: talk.teach.words.clone(),
+        input: talk.command.input.clone(),
+        lines: talk.past.lines.clone(),
+        language: shared.language.code().to_owned(),
+        made: shared.keep.made.clone(),
+        corpus: corpus.map(|corpus| corpus.report.name.clone()),
+    };
+    let session = Session { also: Some(Box::new(also)), ..Session::of(shared, true) };
+    session.write()
+}
+
+/// Begins afresh: as a page that was never opened, but for what undo brings back.
+pub(super) fn afresh(state: &mut State) {
+    let State { shared, talk, train, .. } = state;
+    talk.settle(shared);
+    shared.record();
+    let shipped = |model: &document::Model| model.origin == document::Origin::Shipped;
+    let base = shared.document.base.take().filter(shipped);
+    shared.document = Document { base: base.clone(), ..Document::new() };
+    shared.keep =
+        Keep { stage: shared.keep.stage, link: shared.keep.link.take(), ..Keep::default() };
+    (*talk, *train) = (talk::State::new(), train::State::default());
+    match base {
+        Some(base) => model::go_on_with(shared, base),
+        None => model::fetch(shared),
+    }
+    shared.say(Text::of(shared.language).begun_afresh);
+}
+
+/// Goes back to one's own session from a link's, or to the one before this.
+pub(super) fn go_back(state: &mut State) {
+    keep(state);
+    let keep = &mut state.shared.keep;
+    let name = if keep.origin == Some(Origin::New) { BEFORE } else { OWN };
+    let was_linked = keep.link.take().is_some();
+    keep.origin = None;
+    if was_linked {
+        claim(&mut state.shared, false);
+    }
+    state.shared.want(Effect::Keep(Ask::Read(Place::new(SESSION, name))));
+}
+
+/// This tab keeps the session from now on; what the other kept is put aside.
+pub(super) fn keep_here(shared: &mut Shared) {
+    let (from, to) = (shared.keep.place(), Place::new(SESSION, BEFORE));
+    shared.want(Effect::Keep(Ask::Copy(from, to)));
+    claim(shared, true);
+}

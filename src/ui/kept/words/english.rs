@@ -1,0 +1,28 @@
+//! What is kept, in English; what each word is for stands here for all languages.
+
+use super::table::Text;
+
+/// The words.
+pub(super) static ENGLISH: Text = Text {
+    title: "Kept on this machine",
+    about: "The page keeps your session here, in this browser, so that a reload, a closed tab or a crash loses nothing. Nobody else gets it. It is kept twice, and checked when it is read.",
+    nothing: "Nothing is kept.",
+    unread: "What is kept cannot be listed.",
+    what: "What",
+    when: "Last changed",
+    size: "Size",
+    kinds: [
+        ("own", "Your session"),
+        ("before", "The session before that"),
+        ("corpus", "The corpus of a session"),
+        ("session", "The session of a link"),
+    ],
+    save: "Save as a file",
+    save_this: |what| format!("Save as a file: {what}"),
+    delete: "Delete",
+    delete_this: |what| format!("Delete: {what}"),
+    delete_all: "Delete all of it",
+    deleted: "It is deleted.",
+    open_file: "Open a saved file",
+    open_help: "A session, a model or a corpus; a file can also be dropped anywhere on the page.",
+};

@@ -1,0 +1,28 @@
+//! What is kept, in German.
+
+use super::table::Text;
+
+/// The words.
+pub(super) static GERMAN: Text = Text {
+    title: "Auf diesem Gerät aufbewahrt",
+    about: "Die Seite bewahrt deine Sitzung hier auf, in diesem Browser, damit nichts verloren geht, wenn sie neu geladen wird, wenn man sie schließt oder sie abstürzt. Niemand sonst bekommt sie. Sie liegt zweimal da und wird beim Lesen geprüft.",
+    nothing: "Es ist nichts aufbewahrt.",
+    unread: "Was aufbewahrt ist, lässt sich nicht auflisten.",
+    what: "Was",
+    when: "Zuletzt geändert",
+    size: "Größe",
+    kinds: [
+        ("own", "Deine Sitzung"),
+        ("before", "Die Sitzung davor"),
+        ("corpus", "Das Korpus einer Sitzung"),
+        ("session", "Die Sitzung eines Links"),
+    ],
+    save: "Als Datei sichern",
+    save_this: |what| format!("Als Datei sichern: {what}"),
+    delete: "Löschen",
+    delete_this: |what| format!("Löschen: {what}"),
+    delete_all: "Alles löschen",
+    deleted: "Es ist gelöscht.",
+    open_file: "Gesicherte Datei öffnen",
+    open_help: "Eine Sitzung, ein Modell oder ein Korpus; man kann die Datei auch irgendwo auf die Seite ziehen.",
+};
