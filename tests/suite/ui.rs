@@ -33,8 +33,21 @@ use groundling::ui::talk::why::messages::{Message, messages};
 use groundling::ui::train::Action as Train;
 use groundling::worker::protocol::{
     Answer, Article, Claim, CorpusReport, Description, Envelope, Event, Fate, Noun, PairText,
-    PlanProgress, PlanText, Program, Reading, Request, RowSummary, TrainReport, VERSION, Why, Word,
+    PlanProgress, PlanText, Program, Reading, Request, RowSummary, TeachReport, TrainReport,
+    VERSION, Why, Word,
 };
+
+/// What the learner says of lessons.
+pub(crate) fn taught(text: &str, understood: &[bool]) -> Event {
+    Event::Taught(Box::new(TeachReport {
+        model: model(text),
+        added: Vec::new(),
+        told: Vec::new(),
+        understood: understood.to_vec(),
+        check: None,
+        refusal: None,
+    }))
+}
 
 /// A page and the engines' side of the talk: what was posted and not yet answered.
 pub(crate) struct Page {

@@ -92,6 +92,8 @@ pub enum Action {
     TypedLesson(String),
     /// Teach what is shown.
     Teach,
+    /// Teach one of the readings that fit what was shown.
+    Mean(usize),
     /// Begin the demonstration anew.
     ClearDraft,
     /// Forget a lesson.

@@ -32,8 +32,11 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
     }
     match action {
         Action::Typed(command) => ask::typed(state, shared, &command),
-        Action::Ask => ask::ask(state, shared),
-        Action::AskExample(command) => ask::ask_for(state, shared, command),
+        Action::Ask => say(state, shared),
+        Action::AskExample(command) => {
+            state.command.input = command;
+            say(state, shared);
+        }
         Action::Recall(back) => recall::recall(state, shared, back),
         Action::GoOn(place) => recall::go_on(state, shared, place),
         Action::Choose(reading) => ask::choose(state, shared, reading),
@@ -73,6 +76,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
 
         Action::TypedLesson(words) => learn::typed(state, &words),
         Action::Teach => learn::teach(state, shared),
+        Action::Mean(place) => learn::mean(state, shared, place),
         Action::ClearDraft => learn::clear_draft(state, shared),
         Action::Unteach(place) => learn::unteach(state, shared, place),
         Action::SaveLessons => learn::save(shared),
@@ -82,6 +86,14 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::SaveSession => exchange::save(shared),
         Action::Open(text) => exchange::opened(state, shared, text),
         Action::CloseShare => state.sharing = Sharing::default(),
+    }
+}
+
+/// Says what stands in the box: a lesson in other words, or a command.
+fn say(state: &mut State, shared: &mut Shared) {
+    match learn::in_other_words(&state.command.input) {
+        Some(lesson) => learn::learn_besides(state, shared, lesson),
+        None => ask::ask(state, shared),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::state::MOST_CHARACTERS;
 use crate::ui::talk::past::state::{Line, MOST_LINES};
-use crate::worker::protocol::{Lesson, MOST_TAUGHT, PairText, WorldRules};
+use crate::worker::protocol::{Lesson, MOST_TAUGHT, Meaning, PairText, WorldRules};
 use serde::{Deserialize, Serialize};
 
 /// The format's version.
@@ -149,9 +149,11 @@ impl Session {
             return Err(SessionError::Lessons(self.lessons.len()));
         }
         let is_long = |text: &String| text.chars().count() > MOST_CHARACTERS;
-        for (number, Lesson { command, pairs }) in (1..).zip(&self.lessons) {
+        for (number, Lesson { command, pairs, means }) in (1..).zip(&self.lessons) {
             let legal = pairs.iter().all(|p| p.pre.check().is_ok() && p.post.check().is_ok());
-            if !(1..=MOST_PAIRS).contains(&pairs.len()) || !legal || is_long(command) {
+            let fewest = usize::from(means.is_none());
+            let is_long = is_long(command) || means.as_ref().is_some_and(is_long_meaning);
+            if !(fewest..=MOST_PAIRS).contains(&pairs.len()) || !legal || is_long {
                 return Err(SessionError::Lesson(number));
             }
         }
@@ -163,6 +165,12 @@ impl Session {
         }
         Ok(())
     }
+}
+
+/// Whether a meaning is longer than any that a command has.
+fn is_long_meaning(means: &Meaning) -> bool {
+    let (Meaning::Form(text) | Meaning::Words(text)) = means;
+    text.len() > 4 * MOST_CHARACTERS
 }
 
 impl Also {

@@ -1,9 +1,9 @@
 //! What a command was taken to mean: its words, the goal in plain words, and why nothing came of it, with help.
 
 use super::choices::choices;
+use super::teach::told;
 use crate::ui::page::language::Language;
 use crate::ui::page::shared::Shared;
-use crate::ui::page::view::notice::notice;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::ask::question;
 use crate::ui::talk::command::link::{Link, holds};
@@ -51,7 +51,7 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                 <button type="button" class="quiet remember" data-testid="remember" disabled={is_teaching(shared)}
                     onclick={act.reform(|_| Action::Remember)}>{ text.remember }</button>
             }
-            if state.room.mode == Mode::Watch { { notice(state.teach.notice.as_deref(), "teach-notice") } }
+            if state.room.mode == Mode::Watch { { told(state, shared, act) } }
         </div>
     }
 }

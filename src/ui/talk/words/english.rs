@@ -1,8 +1,9 @@
 //! The Talk page in English; what each word is for stands here for all languages.
 
-use super::table::{Faults, Helps, Text};
+use super::table::{Faults, Helps, Meant, Text};
 use crate::ui::page::grammar::English;
 use crate::ui::talk::room::edit::Obstacle;
+use crate::worker::protocol::Refusal;
 
 /// The words.
 pub(super) static ENGLISH: Text = Text {
@@ -298,9 +299,26 @@ pub(super) static ENGLISH: Text = Text {
     forget: "Forget",
     forget_lesson: |command| format!("Forget “{command}”"),
     it_learned: |command, n| match n {
-        0 => format!("“{command}” needed no new entry: weights changed."),
-        1 => format!("“{command}” added one entry to its lexicon:"),
-        n => format!("“{command}” added {n} entries to its lexicon:"),
+        0 => format!("I know what “{command}” means: I weigh its words otherwise now."),
+        _ => format!("From “{command}” I learned:"),
+    },
+    now_means: |command| format!("From now on I know what you mean by “{command}”."),
+    told: |words, meant| match meant {
+        Meant::Nothing => format!("“{words}” says nothing by itself."),
+        Meant::Like(other) => format!("“{words}” is said like “{other}”."),
+        Meant::This(this) => format!("“{words}” means: {this}"),
+        Meant::Other => format!("“{words}” has a meaning now that there are no plain words for."),
+    },
+    otherwise: "As I read it first, it would end otherwise than you showed. Did you mean this?",
+    refused: |command, refusal| match refusal {
+        Refusal::Closed(word) => {
+            format!("“{word}” keeps its meaning: teach “{command}” without it.")
+        }
+        Refusal::Known => format!("I know what “{command}” means already. Call it something else."),
+        Refusal::Lost => {
+            "I do not understand in just one way what it is to mean. Say that part alone first."
+                .to_owned()
+        }
     },
     words: "Words",
     category: "Category",

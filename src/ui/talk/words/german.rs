@@ -1,8 +1,9 @@
 //! The Talk page in German. Commands stay English: the parser has learned no other.
 
-use super::table::{Faults, Helps, Text};
+use super::table::{Faults, Helps, Meant, Text};
 use crate::ui::page::grammar::German;
 use crate::ui::talk::room::edit::Obstacle;
+use crate::worker::protocol::Refusal;
 use crate::worker::protocol::Why;
 
 /// The words.
@@ -329,9 +330,28 @@ pub(super) static GERMAN: Text = Text {
     forget: "Vergessen",
     forget_lesson: |command| format!("„{command}“ vergessen"),
     it_learned: |command, n| match n {
-        0 => format!("„{command}“ brauchte keinen neuen Eintrag: Gewichte änderten sich."),
-        1 => format!("„{command}“ fügte seinem Lexikon einen Eintrag hinzu:"),
-        n => format!("„{command}“ fügte seinem Lexikon {n} Einträge hinzu:"),
+        0 => format!("Ich weiß, was „{command}“ heißt: Ich gewichte die Wörter jetzt anders."),
+        _ => format!("Aus „{command}“ habe ich gelernt:"),
+    },
+    now_means: |command| format!("Ab jetzt weiß ich, was du mit „{command}“ meinst."),
+    told: |words, meant| match meant {
+        Meant::Nothing => format!("„{words}“ sagt für sich allein nichts."),
+        Meant::Like(other) => format!("„{words}“ sagt man wie „{other}“."),
+        Meant::This(this) => format!("„{words}“ heißt: {this}"),
+        Meant::Other => {
+            format!("„{words}“ hat jetzt eine Bedeutung, für die es keine einfachen Worte gibt.")
+        }
+    },
+    otherwise: "So, wie ich es zuerst lese, würde es anders enden, als du gezeigt hast. Meintest du das?",
+    refused: |command, refusal| match refusal {
+        Refusal::Closed(word) => {
+            format!("„{word}“ behält seine Bedeutung: Lehre „{command}“ ohne das Wort.")
+        }
+        Refusal::Known => format!("Was „{command}“ heißt, weiß ich schon. Nenn es anders."),
+        Refusal::Lost => {
+            "Was es heißen soll, verstehe ich nicht auf genau eine Weise. Sag erst nur diesen Teil."
+                .to_owned()
+        }
     },
     words: "Wörter",
     category: "Kategorie",

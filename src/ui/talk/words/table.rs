@@ -4,7 +4,7 @@ use crate::ui::page::grammar::Phrases;
 use crate::ui::talk::room::edit::Obstacle;
 use crate::ui::talk::room::state::{Mode, Tool};
 use crate::ui::talk::watch::state::Layer;
-use crate::worker::protocol::{Runs, Why};
+use crate::worker::protocol::{Refusal, Runs, Why};
 
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
@@ -165,6 +165,10 @@ pub struct Text {
     pub forget: &'static str,
     pub forget_lesson: fn(&str) -> String,
     pub it_learned: fn(&str, usize) -> String,
+    pub now_means: fn(&str) -> String,
+    pub told: fn(&str, Meant<'_>) -> String,
+    pub otherwise: &'static str,
+    pub refused: fn(&str, &Refusal) -> String,
     pub words: &'static str,
     pub category: &'static str,
     pub meaning: &'static str,
@@ -188,6 +192,15 @@ pub struct Text {
     pub entries: &'static str,
     pub learned_entry: &'static str,
     pub seed_entry: &'static str,
+}
+
+/// What words mean now, said in plain words.
+#[expect(missing_docs, reason = "the English table says what each is")]
+pub enum Meant<'a> {
+    Nothing,
+    Like(&'a str),
+    This(&'a str),
+    Other,
 }
 
 /// What is wrong with a command, and what to do about it.
