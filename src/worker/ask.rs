@@ -88,7 +88,7 @@ pub(super) fn answer(model: &mut Model, parse: &Parse, command: &str, state: &St
         shown(parse).map(|one| reading(model, parse, one, state)).collect();
     Answer {
         command: command.to_owned(),
-        words: words(model, parse),
+        words: words(model, parse, state),
         taken: taken(parse),
         asks: choices(parse, &readings, doubt.is_some_and(|(_, asks)| asks)),
         readings,

@@ -2,8 +2,9 @@
 //! changed for all pages.
 
 use super::action::Action;
+use super::command::query::query;
 use super::command::state::Command;
-use super::command::{ask, study};
+use super::command::{ask, study, wonder};
 use super::past::recall;
 use super::room::{hand, worlds};
 use super::share::exchange;
@@ -89,10 +90,15 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
     }
 }
 
-/// Says what stands in the box: a lesson in other words, or a command.
+/// Says what stands in the box: a lesson in other words, a question, or a command.
 fn say(state: &mut State, shared: &mut Shared) {
     match learn::in_other_words(&state.command.input) {
-        Some(lesson) => learn::learn_besides(state, shared, lesson),
+        Some(lesson) => return learn::learn_besides(state, shared, lesson),
+        None if !shared.can_ask() => return,
+        None => {}
+    }
+    match query(&state.command.input) {
+        Some((query, about)) => wonder::ask(state, shared, query, about),
         None => ask::ask(state, shared),
     }
 }

@@ -10,4 +10,4 @@ mod german_claims;
 
 pub use english::English;
 pub use german::German;
-pub use phrases::{Phrases, room_at};
+pub use phrases::{Phrases, capitalised, room_at, spot};

@@ -7,7 +7,7 @@ use crate::domain::State as World;
 use crate::ui::page::document::Said;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::shared::Shared;
-use crate::ui::talk::past::recall;
+use crate::ui::talk::past::lines;
 use crate::ui::talk::state::State;
 use crate::ui::talk::watch::playback::Playback;
 use crate::ui::talk::watch::values;
@@ -40,7 +40,7 @@ pub(crate) fn answered(state: &mut State, shared: &mut Shared, mut answer: Answe
         planned(state, shared);
     }
     // What a session comes back with was said before.
-    recall::note(state, shared, !state.resume.is_quiet);
+    lines::note(state, shared, !state.resume.is_quiet);
     study::look_closer(state, shared);
 }
 
@@ -56,7 +56,7 @@ pub(crate) fn replanned(state: &mut State, shared: &mut Shared, plan: PlanText) 
     if let Some(said) = &mut shared.document.said {
         said.plan = Some(Rc::new(plan));
         planned(state, shared);
-        recall::note(state, shared, false);
+        lines::note(state, shared, false);
     }
 }
 

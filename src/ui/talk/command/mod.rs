@@ -2,6 +2,8 @@
 
 pub mod link;
 pub mod state;
+pub mod query;
+pub mod wonder;
 pub mod ask;
 pub mod study;
 pub mod answer;

@@ -1,29 +1,10 @@
-//! Notes what is said, brings it back into the box, and goes on from after it.
+//! Brings what was said back into the box, and goes on from after it.
 
-use super::state::{Line, MOST_LINES, Outcome};
+use super::state::Line;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::ask;
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
-
-/// Notes what was said and what came of it: as another line, or as more of the last one.
-pub(crate) fn note(state: &mut State, shared: &Shared, is_new: bool) {
-    let Some(said) = &shared.document.said else { return };
-    let line = Line {
-        command: said.answer.command.clone(),
-        outcome: Outcome::of(said),
-        world: shared.document.world.clone(),
-    };
-    let lines = &mut state.past.lines;
-    state.past.at = None;
-    if !is_new && lines.last().is_some_and(|last| last.command == line.command) {
-        lines.pop();
-    }
-    if lines.len() == MOST_LINES {
-        lines.remove(0);
-    }
-    lines.push(line);
-}
 
 /// Brings the command before the one in the box back into it, or the one after it.
 pub(crate) fn recall(state: &mut State, shared: &mut Shared, back: bool) {

@@ -32,6 +32,8 @@ pub enum Outcome {
     Unable,
     /// It was not understood.
     Lost,
+    /// It was a question, and answered.
+    Told,
 }
 
 /// What was said.

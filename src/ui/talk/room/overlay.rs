@@ -46,6 +46,10 @@ fn values(state: &State) -> Vec<(i32, i32, f64)> {
 }
 
 fn watched(state: &State, shared: &Shared, mut options: Options) -> Options {
+    if let Some(reply) = &state.command.reply {
+        options.highlight.clone_from(&reply.cells);
+        return options;
+    }
     let Some(reading) = state.heard_reading(shared) else { return options };
     options.highlight = state.command.link.map(|own| link::cells(reading, own)).unwrap_or_default();
     let failed = reading.phrases.iter().filter(|phrase| !phrase.referents.is_empty());

@@ -19,7 +19,20 @@ use yew::{Callback, Html, classes, html};
 /// The answer to the command.
 pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
-    let Some(answer) = state.heard(shared) else { return Html::default() };
+    if let Some(reply) = &state.command.reply {
+        return html! {
+            <div class="answer" data-testid="answer" data-live="false">
+                <p class="understood"><strong data-testid="reply">{ &reply.words }</strong></p>
+            </div>
+        };
+    }
+    let Some(answer) = state.heard(shared) else {
+        return if state.room.mode == Mode::Watch {
+            told(state, shared, act)
+        } else {
+            Html::default()
+        };
+    };
     let words = &answer.words;
     // Whether this is of a command that is being typed.
     let live = state.command.live.is_some();
@@ -94,6 +107,9 @@ fn tell(text: &Text, message: &Message, words: &[Word], act: &Callback<Action>) 
             if !message.helps.is_empty() {
                 <p class="buttons">
                     { for message.helps.iter().map(|help| {
+                        if *help == Help::Guide {
+                            return html! { <a class="quiet" href="#help" data-testid="help" data-help="guide">{ text.help(help, words) }</a> };
+                        }
                         let done = help.clone();
                         html! {
                             <button type="button" class="quiet" data-testid="help" data-help={kind(help)}
@@ -122,5 +138,6 @@ const fn kind(help: &Help) -> &'static str {
         Help::Unlock => "unlock",
         Help::NoChance => "no-chance",
         Help::OtherWorld => "other-world",
+        Help::Guide => "guide",
     }
 }

@@ -14,13 +14,14 @@ pub(super) fn past(state: &State, shared: &Shared, act: &Callback<Action>) -> Ht
         return Html::default();
     }
     let outcome = |outcome| {
-        let [already, asked, unable, lost] = text.outcomes;
+        let [already, asked, unable, lost, told] = text.outcomes;
         match outcome {
             Outcome::Done(steps) => return (text.done_in)(steps),
             Outcome::Already => already,
             Outcome::Asked => asked,
             Outcome::Unable => unable,
             Outcome::Lost => lost,
+            Outcome::Told => told,
         }
         .to_owned()
     };

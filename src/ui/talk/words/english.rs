@@ -3,6 +3,7 @@
 use super::table::{Faults, Helps, Meant, Text};
 use crate::ui::page::grammar::English;
 use crate::ui::talk::room::edit::Obstacle;
+use crate::ui::talk::why::beyond::Beyond;
 use crate::worker::protocol::Refusal;
 
 /// The words.
@@ -121,6 +122,7 @@ pub(super) static ENGLISH: Text = Text {
         unlock: "Open all doors",
         no_chance: "Leave nothing to chance",
         other_world: "Go to another room",
+        guide: "What I understand",
     },
 
     readings: "Readings",
@@ -143,7 +145,30 @@ pub(super) static ENGLISH: Text = Text {
         "I asked what is meant.",
         "It cannot be done.",
         "I did not understand.",
+        "I told you.",
     ],
+
+    can_do: "I go to rooms, doors and things, and I bring things where you want them: “go to the blue room”, “put the block in the red room”. Press ? for more, with examples.",
+    cannot_tell: "That I cannot tell. I can tell where a thing is, what is in a room, whether a thing is somewhere, and how many there are.",
+    yes_no: ["Yes, it is.", "No, it is not."],
+    beyond: |beyond, words| {
+        let words = quoted(words);
+        match beyond {
+            Beyond::Number => format!("I do not count: {words} is beyond me."),
+            Beyond::Between => {
+                format!("{words}: I know “in” and “next to”, but no place between two things.")
+            }
+            Beyond::Condition => format!("{words}: I do what is to be so, and know no conditions."),
+            Beyond::Direction => {
+                format!("{words}: I go to rooms and things, not by steps and directions.")
+            }
+            Beyond::Manner => {
+                format!("{words}: how, how fast and how often I do a thing is my own affair.")
+            }
+            Beyond::Deed => format!("{words}: I can only go somewhere and bring things somewhere."),
+        }
+    },
+    beyond_fix: "Say what should be so in the end.",
 
     the_room: "The room",
     choose_world: "Choose a room",

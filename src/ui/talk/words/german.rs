@@ -3,6 +3,7 @@
 use super::table::{Faults, Helps, Meant, Text};
 use crate::ui::page::grammar::German;
 use crate::ui::talk::room::edit::Obstacle;
+use crate::ui::talk::why::beyond::Beyond;
 use crate::worker::protocol::Refusal;
 use crate::worker::protocol::Why;
 
@@ -120,6 +121,7 @@ pub(super) static GERMAN: Text = Text {
         unlock: "Alle Türen öffnen",
         no_chance: "Nichts dem Zufall überlassen",
         other_world: "In einen anderen Raum gehen",
+        guide: "Was ich verstehe",
     },
 
     readings: "Lesarten",
@@ -142,7 +144,34 @@ pub(super) static GERMAN: Text = Text {
         "Ich habe nachgefragt.",
         "Das geht nicht.",
         "Ich habe es nicht verstanden.",
+        "Ich habe es gesagt.",
     ],
+
+    can_do: "Ich gehe zu Räumen, Türen und Dingen und bringe Dinge dahin, wo du sie haben willst: „go to the blue room“, „put the block in the red room“. Mit ? gibt es mehr, mit Beispielen.",
+    cannot_tell: "Das kann ich nicht sagen. Sagen kann ich, wo ein Ding ist, was in einem Raum ist, ob ein Ding irgendwo ist und wie viele es gibt.",
+    yes_no: ["Ja, so ist es.", "Nein, so ist es nicht."],
+    beyond: |beyond, words| {
+        let words = quoted(words);
+        match beyond {
+            Beyond::Number => format!("Ich zähle nicht: {words} kann ich nicht."),
+            Beyond::Between => format!(
+                "{words}: Ich kenne „in“ und „neben“, aber keinen Platz zwischen zwei Dingen."
+            ),
+            Beyond::Condition => {
+                format!("{words}: Ich tue, was so sein soll, und kenne keine Bedingungen.")
+            }
+            Beyond::Direction => format!(
+                "{words}: Ich gehe zu Räumen und Dingen, nicht nach Schritten und Richtungen."
+            ),
+            Beyond::Manner => {
+                format!("{words}: Wie, wie schnell und wie oft ich etwas tue, ist meine Sache.")
+            }
+            Beyond::Deed => {
+                format!("{words}: Ich kann nur irgendwohin gehen und Dinge irgendwohin bringen.")
+            }
+        }
+    },
+    beyond_fix: "Sag, was am Ende so sein soll.",
 
     the_room: "Der Raum",
     choose_world: "Einen Raum wählen",

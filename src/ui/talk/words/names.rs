@@ -97,6 +97,7 @@ impl Text {
             Help::Unlock => helps.unlock,
             Help::NoChance => helps.no_chance,
             Help::OtherWorld => helps.other_world,
+            Help::Guide => helps.guide,
         };
         fixed.to_owned()
     }

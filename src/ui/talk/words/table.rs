@@ -4,6 +4,7 @@ use crate::ui::page::grammar::Phrases;
 use crate::ui::talk::room::edit::Obstacle;
 use crate::ui::talk::room::state::{Mode, Tool};
 use crate::ui::talk::watch::state::Layer;
+use crate::ui::talk::why::beyond::Beyond;
 use crate::worker::protocol::{Refusal, Runs, Why};
 
 /// The words of a language.
@@ -62,7 +63,14 @@ pub struct Text {
     pub go_on: &'static str,
     pub go_on_after: fn(&str) -> String,
     pub gone_back: fn(&str) -> String,
-    pub outcomes: [&'static str; 4],
+    pub outcomes: [&'static str; 5],
+
+    // Questions, and what lies beyond the language.
+    pub can_do: &'static str,
+    pub cannot_tell: &'static str,
+    pub yes_no: [&'static str; 2],
+    pub beyond: fn(Beyond, &[&str]) -> String,
+    pub beyond_fix: &'static str,
 
     // The room.
     pub the_room: &'static str,
@@ -242,4 +250,5 @@ pub struct Helps {
     pub unlock: &'static str,
     pub no_chance: &'static str,
     pub other_world: &'static str,
+    pub guide: &'static str,
 }
