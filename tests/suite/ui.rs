@@ -4,8 +4,12 @@
 mod doubt;
 #[path = "ui/edit.rs"]
 mod edit;
+#[path = "ui/kept.rs"]
+mod kept;
 #[path = "ui/messages.rs"]
 mod messages;
+#[path = "ui/questions.rs"]
+mod questions;
 #[path = "ui/room.rs"]
 mod room;
 #[path = "ui/share.rs"]
@@ -26,6 +30,7 @@ use groundling::ui::page::effect::{Effect, Timer};
 use groundling::ui::page::engine::Health;
 use groundling::ui::page::grammar::{English, Phrases};
 use groundling::ui::page::history::History;
+use groundling::ui::page::keep::ask::Ask;
 use groundling::ui::page::language::Language;
 use groundling::ui::page::world::WORLDS;
 use groundling::ui::talk::Action as Talk;
@@ -283,6 +288,7 @@ fn it_opens_with_the_engine_that_answers_and_the_model() {
             Effect::SpawnEngine(Program::Talker),
             Effect::FetchModel,
             Effect::SetLanguage(Language::English),
+            Effect::Keep(Ask::Open),
         ]
     );
     page.act(Action::Fetched(Ok("the model".to_owned())));

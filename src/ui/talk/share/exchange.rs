@@ -67,7 +67,7 @@ fn open(state: &mut State, shared: &mut Shared, session: Session) {
     state.sharing = Sharing::default();
     state.command.input = command.clone().unwrap_or_default();
     let (lessons, is_quiet) = ((!lessons.is_empty()).then_some(lessons), also.is_some());
-    state.resume = Resume { lessons, command, form, is_quiet };
+    state.resume = Resume { lessons, command, form, is_quiet, input: None };
     if let Some(also) = also {
         restore(state, shared, *also);
     }
@@ -86,9 +86,8 @@ fn restore(state: &mut State, shared: &mut Shared, also: Also) {
     document.draft = draft.map(|PairText { pre, post }| Draft { before: pre, after: post });
     state.teach.words = lesson;
     state.past.lines = lines;
-    if !input.is_empty() {
-        state.command.input = input;
-    }
+    state.command.input.clone_from(&input);
+    state.resume.input = Some(input);
     if let Some(language) = Language::of(&language) {
         shared.language = language;
         shared.want(Effect::SetLanguage(language));
@@ -106,6 +105,9 @@ pub(crate) fn resume(state: &mut State, shared: &mut Shared) {
         learn::learn(state, shared, lessons);
     } else if let Some(command) = state.resume.command.take() {
         ask::ask_for(state, shared, command);
+        if let Some(input) = state.resume.input.take() {
+            state.command.input = input;
+        }
     }
 }
 

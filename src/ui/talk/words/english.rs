@@ -138,7 +138,7 @@ pub(super) static ENGLISH: Text = Text {
     said_before: "What you said",
     say_again: "Say it again",
     go_on: "Go on from here",
-    go_on_after: |command| format!("Go on from after “{command}”"),
+    go_on_after: |command| format!("Go on from here: after “{command}”"),
     gone_back: |command| format!("The room is as it was after “{command}”."),
     outcomes: [
         "It was so already.",

@@ -137,7 +137,7 @@ pub(super) static GERMAN: Text = Text {
     said_before: "Was du gesagt hast",
     say_again: "Noch einmal sagen",
     go_on: "Von hier aus weiter",
-    go_on_after: |command| format!("Weiter von nach „{command}“"),
+    go_on_after: |command| format!("Von hier aus weiter: nach „{command}“"),
     gone_back: |command| format!("Der Raum ist wie nach „{command}“."),
     outcomes: [
         "Es war schon so.",
