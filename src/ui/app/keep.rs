@@ -5,9 +5,10 @@ use super::action::Action;
 use super::state::State;
 use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
+use crate::ui::page::history::History;
 use crate::ui::page::keep::ask::{Ask, News, Place};
 use crate::ui::page::keep::fault::Fault;
-use crate::ui::page::keep::state::{Keep, OWN, Origin, SESSION, Stage};
+use crate::ui::page::keep::state::{Keep, OWN, Origin, SESSION, Stage, short};
 use crate::ui::page::shared::Shared;
 use crate::ui::page::words::Text;
 use crate::ui::page::{document, model};
@@ -96,6 +97,10 @@ fn read(state: &mut State, place: Place, found: Option<(String, bool)>) {
         return state.shared.want(Effect::Keep(Ask::Write(before, text)));
     }
     open(state, text);
+    if is_first {
+        // Before that there was nothing to go back to.
+        state.shared.history = History::new();
+    }
     let keep = &mut state.shared.keep;
     keep.origin = Some(match (&keep.link, was_damaged) {
         (Some(_), _) => Origin::Left,
@@ -128,7 +133,10 @@ fn failed(state: &mut State, place: Option<Place>, fault: Fault) {
     let goes_on = keep.stage == Stage::Reading;
     // What was kept last is not known: it is tried again with the next change.
     keep.last.clear();
-    keep.fault = Some(fault.clone());
+    // A tab that may not keep the session says so first of all.
+    if !goes_on || keep.fault != Some(Fault::Elsewhere) {
+        keep.fault = Some(fault.clone());
+    }
     state.shared.say((Text::of(state.shared.language).fault)(&fault));
     if goes_on && let Some(place) = place {
         read(state, place, None);
@@ -227,9 +235,25 @@ pub(super) fn go_back(state: &mut State) {
     state.shared.want(Effect::Keep(Ask::Read(Place::new(SESSION, name))));
 }
 
-/// This tab keeps the session from now on; what the other kept is put aside.
-pub(super) fn keep_here(shared: &mut Shared) {
+/// A link was opened, which is being unpacked: it has a session of its own.
+pub(super) fn linked(state: &mut State, link: &str) {
+    if state.shared.keep.stage >= Stage::Watching {
+        keep(state);
+        state.shared.keep.stage = Stage::Reading;
+        state.shared.keep.link = Some(short(link));
+        claim(&mut state.shared, false);
+    }
+    state.shared.keep.link = Some(short(link));
+}
+
+/// Puts aside what is kept of the session, since another is to take its place.
+pub(super) fn put_aside(shared: &mut Shared) {
     let (from, to) = (shared.keep.place(), Place::new(SESSION, BEFORE));
     shared.want(Effect::Keep(Ask::Copy(from, to)));
+}
+
+/// This tab keeps the session from now on.
+pub(super) fn keep_here(shared: &mut Shared) {
+    put_aside(shared);
     claim(shared, true);
 }

@@ -9,7 +9,6 @@ use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
 use crate::ui::page::keep::ask::Ask;
-use crate::ui::page::keep::state::short;
 use crate::ui::page::words::Text as Common;
 use crate::ui::page::{engines, model, resource};
 use crate::ui::{help, kept, talk, train};
@@ -76,7 +75,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         }
         Action::RestartEngine(program) => hear::restart(state, program),
         Action::Stored(news) => keep::heard(state, news),
-        Action::Linked(link) => shared.keep.link = Some(short(&link)),
+        Action::Linked(link) => keep::linked(state, &link),
         Action::Hidden | Action::Rang(Timer::Keep) => keep::keep(state),
         Action::Afresh => keep::afresh(state),
         Action::GoBack => keep::go_back(state),

@@ -1,6 +1,7 @@
 //! What one page wishes of another, done by the only one who knows both.
 
 use super::action::View;
+use super::keep;
 use super::state::State;
 use crate::ui::page::files::{self, Kind, Offered};
 use crate::ui::page::model;
@@ -35,6 +36,7 @@ pub(super) fn open(state: &mut State, Offered { name, text }: Offered) {
             }
         }
         Ok((Kind::Session, text)) => {
+            keep::put_aside(shared);
             talk::update::update(talk, shared, talk::Action::Open(Ok(text)));
             *view = View::Talk;
         }

@@ -11,6 +11,7 @@ use super::share::exchange;
 use super::share::state::Sharing;
 use super::state::State;
 use super::teach::learn;
+use super::teach::other::in_other_words;
 use super::watch::{play, values};
 use super::why::mend;
 use super::words::Text;
@@ -92,7 +93,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
 
 /// Says what stands in the box: a lesson in other words, a question, or a command.
 fn say(state: &mut State, shared: &mut Shared) {
-    match learn::in_other_words(&state.command.input) {
+    match in_other_words(&state.command.input) {
         Some(lesson) => return learn::learn_besides(state, shared, lesson),
         None if !shared.can_ask() => return,
         None => {}

@@ -4,7 +4,7 @@ use super::{Page, understood, world};
 use groundling::ui::help::guide::{Line, lines};
 use groundling::ui::talk;
 use groundling::ui::talk::command::query::{Query, query};
-use groundling::ui::talk::teach::learn::in_other_words;
+use groundling::ui::talk::teach::other::in_other_words;
 use groundling::ui::talk::why::beyond::{Beyond, beyond};
 use groundling::worker::protocol::{Event, Meaning, Request};
 

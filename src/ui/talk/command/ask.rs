@@ -7,6 +7,7 @@ use crate::ui::page::engine::Health;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
+use crate::ui::talk::teach::other::in_other_words;
 use crate::worker::protocol::{Request, WorldRules};
 
 /// Whether a command is being answered, or planned for.
@@ -34,7 +35,8 @@ pub(crate) fn read(state: &mut State, shared: &mut Shared) {
     let command = state.command.input.clone();
     let said = shared.document.said.as_ref();
     state.command.reply = None;
-    if query(&command).is_some()
+    let is_none = query(&command).is_some() || in_other_words(&command).is_some();
+    if is_none
         || command.trim().is_empty()
         || said.is_some_and(|said| said.answer.command == command)
     {

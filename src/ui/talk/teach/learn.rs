@@ -51,16 +51,6 @@ pub(crate) fn teach(state: &mut State, shared: &mut Shared) {
     learn_besides(state, shared, lesson);
 }
 
-/// A phrase and what it means in other words, if a command says that: `tidy up means: put the block in the blue room`.
-pub fn in_other_words(command: &str) -> Option<Lesson> {
-    let (phrase, words) =
-        command.split_once(" means: ").or_else(|| command.split_once(" means "))?;
-    let bare = |text: &str| text.trim_matches(|c: char| !c.is_alphanumeric()).to_owned();
-    let (command, words) = (bare(phrase), words.trim().to_owned());
-    let means = Some(Meaning::Words(words));
-    (!command.is_empty()).then(|| Lesson { command, pairs: Vec::new(), means })
-}
-
 /// Teaches the reading of a lesson that the person chose, by its place among those offered.
 pub(crate) fn mean(state: &mut State, shared: &mut Shared, place: usize) {
     let Some(Offer { lesson, fits }) = &state.teach.offer else { return };

@@ -1,5 +1,7 @@
 //! What lies beyond the language, by the words that it is said with: named as what it is, and not as an unknown word.
 
+use crate::worker::protocol::Fate;
+
 /// What lies beyond.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beyond {
@@ -34,6 +36,18 @@ const WORDS: [(Beyond, &str); 6] = [
         "open close lock unlock paint throw break eat build jump dance sing color colour",
     ),
 ];
+
+impl Beyond {
+    /// Whether what a word says has no part in what was understood. That it may go without meaning is known of words that
+    /// frame others, such as “up”; of numbers and places it was only learned.
+    pub const fn is_lost(self, fate: Fate) -> bool {
+        match fate {
+            Fate::Skipped | Fate::Unknown | Fate::Idle => true,
+            Fate::Empty => matches!(self, Beyond::Number | Beyond::Between),
+            Fate::Meant => false,
+        }
+    }
+}
 
 /// What a word says that lies beyond the language.
 pub fn beyond(word: &str) -> Option<Beyond> {

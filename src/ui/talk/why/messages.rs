@@ -1,7 +1,7 @@
 //! Why a command came to nothing, or to less than it might: what is wrong, what to do about it, and what the page can
 //! do at the press of a button.
 
-use super::beyond::{Beyond, beyond};
+use super::beyond::beyond;
 use super::help::Help;
 use crate::domain::{Color, Lock, Shape};
 use crate::ui::page::document::Said;
@@ -100,23 +100,13 @@ fn parsing(text: &Text, answer: &Answer) -> Option<Message> {
 fn beyond_language(text: &Text, answer: &Answer) -> Option<Message> {
     let kinds = answer.words.iter().enumerate().filter_map(|(at, word)| {
         let kind = beyond(&word.text)?;
-        is_lost(word.fate, kind).then_some((at, &*word.text, kind))
+        kind.is_lost(word.fate).then_some((at, &*word.text, kind))
     });
     let (first, _, kind) = kinds.clone().next()?;
     let words: Vec<&str> = kinds.filter(|one| one.2 == kind).map(|(_, word, _)| word).collect();
     let what = (text.beyond)(kind, &words);
     let link = Some((first, first + 1));
     Some(message("beyond", (what, text.beyond_fix), link, vec![Help::Guide]))
-}
-
-/// Whether what a word says has no part in what was understood. That it may go without meaning is known of words that
-/// frame others, such as “up”; of numbers and places it was only learned.
-const fn is_lost(fate: Fate, kind: Beyond) -> bool {
-    match fate {
-        Fate::Skipped | Fate::Unknown | Fate::Idle => true,
-        Fate::Empty => matches!(kind, Beyond::Number | Beyond::Between),
-        Fate::Meant => false,
-    }
 }
 
 /// What words were taken for that are none of the lexicon's: other words, and colours.
