@@ -198,6 +198,10 @@ fn text(state: &State) -> String {
         lines: talk.past.lines.clone(),
         language: shared.language.code().to_owned(),
         made: shared.keep.made.clone(),
+        trained: shared.document.base.as_ref().and_then(|base| match &base.origin {
+            document::Origin::Trained(corpus) => Some(corpus.clone()),
+            _ => None,
+        }),
         corpus: corpus.map(|corpus| corpus.report.name.clone()),
     };
     let session = Session { also: Some(Box::new(also)), ..Session::of(shared, true) };

@@ -73,7 +73,8 @@ flow('a corpus and a model that was trained here come back', async (t) => {
   await demo.page.reload();
   await demo.by('row').first().waitFor();
   await t.until('the corpus is back', async () => (await demo.corpus()).name === 'mine.csv');
-  await t.until('the model is back', async () => (await demo.model()) === model);
+  await t.until('the model is back', async () => /trained here/.test(await demo.by('trained').textContent()));
+  t.check((await demo.model()) === model, 'the model');
 });
 
 flow('a tab that was closed comes back in a new one, and two tabs do not keep the same', async (t) => {
@@ -88,7 +89,7 @@ flow('a tab that was closed comes back in a new one, and two tabs do not keep th
   await second.press('keep-here');
   await t.until('the first tab is told', async () =>
     (await first.by('not-kept').count()) > 0 && (await first.by('not-kept').getAttribute('data-fault')) === 'elsewhere');
-  t.equal(await second.by('not-kept').count(), 0, 'the second tab keeps it now');
+  await t.until('the second tab keeps it now', async () => (await second.by('not-kept').count()) === 0);
   await second.ask('go to the red room');
   await kept(second, 'go to the red room');
   await first.page.close();

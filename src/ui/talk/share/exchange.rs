@@ -4,7 +4,7 @@
 use super::session::{Also, Session};
 use super::state::{Link, Resume, Sharing};
 use crate::ui::page::coming::Resource;
-use crate::ui::page::document::Draft;
+use crate::ui::page::document::{Draft, Origin};
 use crate::ui::page::effect::Effect;
 use crate::ui::page::keep::state::short;
 use crate::ui::page::language::Language;
@@ -67,19 +67,25 @@ fn open(state: &mut State, shared: &mut Shared, session: Session) {
     state.sharing = Sharing::default();
     state.command.input = command.clone().unwrap_or_default();
     let (lessons, is_quiet) = ((!lessons.is_empty()).then_some(lessons), also.is_some());
-    state.resume = Resume { lessons, command, form, is_quiet, input: None };
+    state.resume = Resume { lessons, command, form, is_quiet, input: None, trained: None };
     if let Some(also) = also {
         restore(state, shared, *also);
     }
     match model {
-        Some(text) => model::open_file(shared, text),
+        Some(text) => {
+            model::open_file(shared, text);
+            if let Some(corpus) = state.resume.trained.take() {
+                shared.opening = Origin::Trained(corpus);
+            }
+        }
         None => resume(state, shared),
     }
 }
 
 /// What only this machine kept comes back, too.
 fn restore(state: &mut State, shared: &mut Shared, also: Also) {
-    let Also { preset, origin, draft, lesson, input, lines, language, made, corpus } = also;
+    let Also { preset, origin, draft, lesson, input, lines, language, made, trained, corpus } =
+        also;
     let document = &mut shared.document;
     document.preset = preset;
     document.origin = Rc::new(origin);
@@ -93,6 +99,7 @@ fn restore(state: &mut State, shared: &mut Shared, also: Also) {
         shared.want(Effect::SetLanguage(language));
     }
     (shared.keep.made, shared.keep.corpus) = (made, corpus);
+    state.resume.trained = trained;
 }
 
 /// Goes on with a session that was opened, as far as there is a model for it.

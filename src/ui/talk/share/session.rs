@@ -67,6 +67,8 @@ pub struct Also {
     pub language: String,
     /// The link that was made of it, as a short name.
     pub made: Option<String>,
+    /// The corpus that the model was trained on here, by its name.
+    pub trained: Option<String>,
     /// The name of the corpus that was open on the Train page; its text is kept beside.
     pub corpus: Option<String>,
 }
