@@ -5,22 +5,27 @@
 mod exports {
     #![expect(unreachable_pub, reason = "reached from JavaScript")]
 
+    use groundling::ui::kept::view::list;
     use groundling::ui::page::keep::fault::Fault;
+    use groundling::ui::page::language::Language;
     use groundling::ui::page::view::claim;
     use groundling::ui::page::view::store::Store;
     use js_sys::{Array, Function};
+    use std::rc::Rc;
     use wasm_bindgen::JsValue;
     use wasm_bindgen::prelude::wasm_bindgen;
+    use web_sys::HtmlElement;
 
     /// The store, open.
     #[wasm_bindgen]
-    pub struct Keeper(Store);
+    pub struct Keeper(Rc<Store>);
 
     /// Opens the store of this name; `told` is called with the name of a fault that comes later.
     #[wasm_bindgen]
     pub async fn open(name: String, told: Function) -> Result<Keeper, JsValue> {
         let (blocked, gone) = (teller(&told, Fault::Older), teller(&told, Fault::Newer));
-        Store::open(&name, blocked, gone).await.map(Keeper).map_err(thrown)
+        let store = Store::open(&name, blocked, gone).await.map_err(thrown)?;
+        Ok(Keeper(Rc::new(store)))
     }
 
     /// Claims a name for this tab; `told` is called when another tab takes it.
@@ -44,14 +49,10 @@ mod exports {
             }))
         }
 
-        /// What is kept, as JSON.
-        pub async fn list(&self) -> Result<String, JsValue> {
-            self.0.list().await.map_err(thrown)
-        }
-
-        /// Deletes a text; all of them, if the kind is empty.
-        pub async fn delete(&self, kind: String, name: String) -> Result<(), JsValue> {
-            self.0.delete(&kind, &name).await.map_err(thrown)
+        /// Draws the list of what is kept into an element, in the language of this code.
+        pub async fn show(&self, into: HtmlElement, language: String) -> Result<(), JsValue> {
+            let language = Language::of(&language).unwrap_or_default();
+            list::show(self.0.clone(), into, language).await.map_err(thrown)
         }
     }
 

@@ -21,6 +21,7 @@ function kindOf(name) {
   if (/keeper/.test(name)) return 'keeper';
   if (/\.(model|groundling)$|(^|\/)model/.test(name)) return 'model';
   if (/\.(csv|jsonl)$|(^|\/)(worlds|corpus)\//.test(name)) return 'data';
+  if (/^help\./.test(name)) return 'later';
   return /\.(html|css|js|wasm)$/.test(name) ? 'first' : 'later';
 }
 

@@ -5,7 +5,7 @@ use crate::ui::page::files::Offered;
 use crate::ui::page::keep::ask::News;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::{Depth, Preferences};
-use crate::ui::{kept, talk, train};
+use crate::ui::{talk, train};
 use crate::worker::protocol::{Envelope, Event, Program};
 
 /// The pages.
@@ -42,9 +42,6 @@ pub enum Action {
     Talk(talk::Action),
     /// A person did something on the Train page.
     Train(train::Action),
-
-    /// A person did something with what is kept.
-    Kept(kept::Action),
 
     /// The page has opened, in this language.
     Opened(Language),

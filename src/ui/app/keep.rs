@@ -43,11 +43,6 @@ pub(super) fn heard(state: &mut State, news: News) {
         News::Read(_, None) => shared.keep.corpus = None,
         News::Written if shared.keep.fault == Some(Fault::Full) => shared.keep.fault = None,
         News::Written => {}
-        News::Listed(items) => shared.keep.items = Some(items),
-        News::Exported(Place { kind, name }, text) => {
-            let end = if kind == SESSION { "json" } else { "txt" };
-            shared.want(Effect::Save { name: format!("{kind}-{name}.{end}"), text });
-        }
         News::Failed(place, fault) => failed(state, place, fault),
     }
 }

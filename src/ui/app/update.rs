@@ -11,7 +11,7 @@ use crate::ui::page::history::History;
 use crate::ui::page::keep::ask::Ask;
 use crate::ui::page::words::Text as Common;
 use crate::ui::page::{engines, model, resource};
-use crate::ui::{help, kept, talk, train};
+use crate::ui::{help, talk, train};
 use crate::worker::protocol::Program;
 
 /// Changes the state as the action says, and returns what is to be done.
@@ -23,13 +23,6 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Train(action) => {
             let wish = train::update::update(train, shared, action);
             wish::grant(state, wish);
-        }
-
-        Action::Kept(action) => {
-            let wish = kept::update::update(shared, action);
-            if let Some(kept::Wish::Open(file)) = wish {
-                wish::open(state, file);
-            }
         }
 
         Action::Opened(language) => {
@@ -45,7 +38,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             match to {
                 View::Talk => {}
                 View::Train => train::update::begin(train, shared),
-                View::Kept => kept::update::begin(shared),
+                View::Kept => shared.want(Effect::Keep(Ask::Show(shared.language))),
                 View::Help => help::state::begin(help, shared),
             }
         }
@@ -56,8 +49,10 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Speak(language) => {
             shared.language = language;
             shared.want(Effect::SetLanguage(language));
-            if *view == View::Help {
-                help::state::begin(help, shared);
+            match view {
+                View::Help => help::state::begin(help, shared),
+                View::Kept => shared.want(Effect::Keep(Ask::Show(language))),
+                View::Talk | View::Train => {}
             }
         }
         Action::Undo => travel(state, History::undo, |text| text.undone),

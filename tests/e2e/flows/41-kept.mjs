@@ -174,7 +174,7 @@ flow('no store, a newer store and an older page are told apart', async (t) => {
     }
   };
   const made = (version) => async (page) => {
-    await page.goto(`${t.address}help.en.txt`);
+    await page.goto(`${t.address}help.en.html`);
     await page.evaluate(([name, number]) => new Promise((resolve) => {
       indexedDB.open(name, number).onsuccess = ({ target }) => { globalThis.held = target.result; resolve(); };
     }), [`groundling ${t.address} `, version]);

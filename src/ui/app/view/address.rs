@@ -52,6 +52,12 @@ fn read(act: &Callback<Action>) {
         spawn_local(
             async move { act.emit(Action::Talk(talk::Action::Open(unpack(&packed).await))) },
         );
+    } else if let Some(said) = hash.strip_prefix("#say=") {
+        // Said once: the browser comes back to the talk, and not to this.
+        replace("#talk");
+        let said = js_sys::decode_uri_component(said).map(String::from).unwrap_or_default();
+        act.emit(Action::Go(View::Talk));
+        act.emit(Action::Talk(talk::Action::AskExample(said)));
     } else if let Some(view) = View::of(hash.trim_start_matches('#')) {
         act.emit(Action::Go(view));
     }
@@ -85,11 +91,15 @@ async fn link(text: &str) -> Result<String, String> {
     let address = location.href().map_err(broken)?;
     let bare = address.split('#').next().unwrap_or_default();
     let address = format!("{bare}{SESSION}{packed}");
-    // Without a new entry in the history, and without being told of it.
-    if let Ok(history) = window.history() {
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
-    }
+    replace(&address);
     Ok(address)
+}
+
+/// Replaces the address, without a new entry in the history, and without being told of it.
+fn replace(address: &str) {
+    if let Some(history) = web_sys::window().and_then(|w| w.history().ok()) {
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(address));
+    }
 }
 
 /// A text as a link holds it: deflated, in the letters of base 64 that an address needs not escape.

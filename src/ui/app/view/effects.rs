@@ -6,13 +6,14 @@ use crate::ui::app::action::Action;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::view::host;
 use crate::ui::page::view::keeper::Keeper;
+use crate::ui::page::view::save::save;
 use crate::worker::protocol::{Program, decode, encode};
 use gloo_timers::callback::Timeout;
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, MessageEvent, Response, Url, Worker};
+use web_sys::{MessageEvent, Response, Url, Worker};
 use web_sys::{WorkerOptions, WorkerType};
 use yew::Callback;
 
@@ -88,7 +89,7 @@ impl Effects {
             Effect::FetchModel => self.fetch(MODEL.to_owned(), Action::Fetched),
             Effect::FetchWords => self.fetch(WORDS.to_owned(), Action::FetchedWords),
             Effect::FetchGuide(language) => {
-                self.fetch(format!("help.{}.txt", language.code()), Action::FetchedGuide);
+                self.fetch(format!("help.{}.html", language.code()), Action::FetchedGuide);
             }
             Effect::Keep(ask) => self.keeper.ask(ask),
             Effect::SetLanguage(language) => host::set_language(language.code()),
@@ -188,18 +189,4 @@ fn own_program() -> Result<JsValue, JsValue> {
     js_sys::Reflect::set(&sent, &"script".into(), &script.into())?;
     js_sys::Reflect::set(&sent, &"program".into(), &wasm_bindgen::module())?;
     Ok(sent.into())
-}
-
-fn save(name: &str, text: &str) -> Result<(), JsValue> {
-    let parts = js_sys::Array::of1(&JsValue::from_str(text));
-    let kind = BlobPropertyBag::new();
-    kind.set_type("text/plain;charset=utf-8");
-    let blob = Blob::new_with_str_sequence_and_options(&parts, &kind)?;
-    let url = Url::create_object_url_with_blob(&blob)?;
-    let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
-    let link: HtmlAnchorElement = document.create_element("a")?.unchecked_into();
-    link.set_href(&url);
-    link.set_download(name);
-    link.click();
-    Url::revoke_object_url(&url)
 }

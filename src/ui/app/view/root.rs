@@ -15,7 +15,6 @@ use crate::ui::kept::view::kept;
 use crate::ui::page::language::Language;
 use crate::ui::page::view::{files, host};
 use crate::ui::page::words::Text as Common;
-use crate::ui::talk;
 use crate::ui::talk::view::talk as conversation;
 use crate::ui::train::view::workbench;
 use web_sys::DragEvent;
@@ -103,8 +102,8 @@ impl Component for App {
                     { session(shared, &act) }
                     { match view {
                         View::Talk => conversation(talking, shared, &act.reform(Action::Talk)),
-                        View::Kept => kept(shared, &act.reform(Action::Kept)),
-                        View::Help => help(guide, talking.shown(shared), &say(&act)),
+                        View::Kept => kept(shared, &act.reform(Action::Offered)),
+                        View::Help => help(guide, talking.shown(shared)),
                         View::Train => workbench(train, shared, &act.reform(Action::Train)),
                     } }
                     <footer class="foot">
@@ -116,14 +115,4 @@ impl Component for App {
                 </div>
         }
     }
-}
-
-/// Says an example where one talks to the robot.
-fn say(act: &Callback<Action>) -> Callback<String> {
-    let act = act.clone();
-    Callback::from(move |command| {
-        host::go("talk");
-        act.emit(Action::Go(View::Talk));
-        act.emit(Action::Talk(talk::Action::AskExample(command)));
-    })
 }

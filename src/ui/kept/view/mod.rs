@@ -1,5 +1,6 @@
-//! What is kept, as Yew draws it; wasm only.
+//! What is kept, as it is drawn; wasm only. The frame is the page's, the list the keeper's.
 
-mod list;
+pub mod list;
+mod frame;
 
-pub(crate) use list::kept;
+pub(crate) use frame::kept;

@@ -6,19 +6,14 @@ pub struct Text {
     pub title: &'static str,
     pub about: &'static str,
     pub nothing: &'static str,
-    pub unread: &'static str,
     pub what: &'static str,
     pub when: &'static str,
     pub size: &'static str,
     pub kinds: [(&'static str, &'static str); 4],
     pub save: &'static str,
-    pub save_this: fn(&str) -> String,
     pub delete: &'static str,
-    pub delete_this: fn(&str) -> String,
     pub delete_all: &'static str,
     pub deleted: &'static str,
-    pub open_file: &'static str,
-    pub open_help: &'static str,
 }
 
 impl Text {

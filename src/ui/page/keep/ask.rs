@@ -1,7 +1,7 @@
 //! What is wanted of the store, and what it says.
 
-use super::copies::Item;
 use super::fault::Fault;
+use crate::ui::page::language::Language;
 
 /// Something for the store to do.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,12 +21,8 @@ pub enum Ask {
     Write(Place, String),
     /// Keep what is kept at a place at another, too.
     Copy(Place, Place),
-    /// Say what is kept.
-    List,
-    /// Delete a text; all of them, if there is none.
-    Delete(Option<Place>),
-    /// Give a text to the person as a file.
-    Export(Place),
+    /// Draw the list of what is kept into the page, in this language.
+    Show(Language),
 }
 
 /// Where a text is kept.
@@ -56,10 +52,6 @@ pub enum News {
     Read(Place, Option<(String, bool)>),
     /// A text is kept.
     Written,
-    /// What is kept.
-    Listed(Vec<Item>),
-    /// A text to give to the person.
-    Exported(Place, String),
     /// Something went wrong, with what is at a place or with all of it.
     Failed(Option<Place>, Fault),
 }

@@ -1,7 +1,6 @@
 //! How the store stands, and what of this tab's session it has.
 
 use super::ask::Place;
-use super::copies::Item;
 use super::fault::Fault;
 use std::rc::Rc;
 
@@ -25,8 +24,6 @@ pub struct Keep {
     pub fault: Option<Fault>,
     /// Where the session came from, as long as that is told.
     pub origin: Option<Origin>,
-    /// What is kept, once somebody wanted to know.
-    pub items: Option<Vec<Item>>,
     /// The corpus that is kept beside the session.
     pub kept_corpus: Option<Rc<str>>,
     /// The text that was kept last.

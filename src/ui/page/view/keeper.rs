@@ -9,8 +9,11 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::{Closure, wasm_bindgen};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::Url;
+use web_sys::{Element, Url};
 use yew::Callback;
+
+/// The element that the list of what is kept is drawn into.
+pub(crate) const LIST: &str = "kept-list";
 
 #[wasm_bindgen]
 extern "C" {
@@ -35,9 +38,7 @@ extern "C" {
     #[wasm_bindgen(method, structural)]
     fn read(this: &Store, kind: &str, name: &str) -> Promise;
     #[wasm_bindgen(method, structural)]
-    fn list(this: &Store) -> Promise;
-    #[wasm_bindgen(method, structural)]
-    fn delete(this: &Store, kind: &str, name: &str) -> Promise;
+    fn show(this: &Store, into: &Element, language: &str) -> Promise;
 }
 
 /// The keeper, as far as it has come.
@@ -58,7 +59,7 @@ impl Keeper {
         let keeper = self.clone();
         spawn_local(async move {
             let place = match &ask {
-                Ask::Read(place) | Ask::Write(place, _) | Ask::Export(place) => Some(place.clone()),
+                Ask::Read(place) | Ask::Write(place, _) => Some(place.clone()),
                 _ => None,
             };
             match keeper.done(ask).await {
@@ -97,15 +98,11 @@ impl Keeper {
                 JsFuture::from(store.write(&kind, &name, &text)).await?;
                 News::Written
             }
-            Ask::List => list(&store).await?,
-            Ask::Delete(place) => {
-                let Place { kind, name } = place.unwrap_or(Place::new("", ""));
-                JsFuture::from(store.delete(&kind, &name)).await?;
-                list(&store).await?
-            }
-            Ask::Export(place) => {
-                let Some((text, _)) = read(&store, &place).await? else { return Ok(None) };
-                News::Exported(place, text)
+            Ask::Show(language) => {
+                if let Some(into) = host::element(LIST) {
+                    JsFuture::from(store.show(&into, language.code())).await?;
+                }
+                return Ok(None);
             }
         };
         Ok(Some(news))
@@ -136,11 +133,6 @@ async fn read(
     let found = JsFuture::from(store.read(kind, name)).await?;
     let found = found.dyn_ref::<Array>().map(|found| (found.get(0), found.get(1)));
     Ok(found.map(|(text, damaged)| (JsString::from(text).into(), damaged.is_truthy())))
-}
-
-async fn list(store: &Store) -> Result<News, JsValue> {
-    let text = JsFuture::from(store.list()).await?.as_string().unwrap_or_default();
-    Ok(News::Listed(serde_json::from_str(&text).unwrap_or_default()))
 }
 
 /// A name of this site's own: others of the same host have theirs.

@@ -12,3 +12,4 @@ pub mod picture;
 pub mod store;
 pub mod claim;
 pub mod keeper;
+pub mod save;

@@ -1,7 +1,7 @@
 //! The store in IndexedDB: an index of copies and their texts, so that what is kept can be listed without being read.
 //! Linked by the program `keeper` alone.
 
-use crate::ui::page::keep::copies::{COPIES, Entry, items, key, newest_first, next};
+use crate::ui::page::keep::copies::{COPIES, Entry, Item, items, key, newest_first, next};
 use crate::ui::page::keep::fault::Fault;
 use idb::{
     Database, DatabaseEvent, Error, Factory, ObjectStore, ObjectStoreParams, Transaction,
@@ -102,15 +102,14 @@ impl Store {
         if is_kept { Err(Fault::Damaged) } else { Ok(None) }
     }
 
-    /// What is kept, as JSON of [`Item`](crate::ui::page::keep::copies::Item)s.
+    /// What is kept, the latest first.
     ///
     /// # Errors
     /// When the store is gone.
-    pub async fn list(&self) -> Result<String, Fault> {
+    pub async fn list(&self) -> Result<Vec<Item>, Fault> {
         let (_, index, _) = self.begin(TransactionMode::ReadOnly)?;
         let all = index.get_all(None, None).map_err(of)?.await.map_err(of)?;
-        let all = all.iter().filter_map(entry).collect();
-        Ok(serde_json::to_string(&items(all)).unwrap_or_default())
+        Ok(items(all.iter().filter_map(entry).collect()))
     }
 
     /// Deletes what is kept under a kind and a name; all of it, if the kind is empty.

@@ -40,6 +40,7 @@ pub(super) static ENGLISH: Text = Text {
     go_back: "Back to mine",
     keep_here: "Keep it here instead",
     what_is_kept: "What is kept",
+    open_saved: "Open a saved file",
     close: "Close",
 
     no_model: |why| format!("The model that comes with this page could not be loaded ({why})."),

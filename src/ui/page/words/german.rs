@@ -40,6 +40,7 @@ pub(super) static GERMAN: Text = Text {
     go_back: "Zurück zu meiner",
     keep_here: "Stattdessen hier aufbewahren",
     what_is_kept: "Was aufbewahrt ist",
+    open_saved: "Gesicherte Datei öffnen",
     close: "Schließen",
 
     no_model: |why| format!("Das Modell zu dieser Seite ließ sich nicht laden ({why})."),

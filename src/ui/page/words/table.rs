@@ -26,6 +26,7 @@ pub struct Text {
     pub go_back: &'static str,
     pub keep_here: &'static str,
     pub what_is_kept: &'static str,
+    pub open_saved: &'static str,
     pub close: &'static str,
 
     // The model.
