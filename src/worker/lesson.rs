@@ -97,7 +97,7 @@ fn accounts(model: &Model, form: TermId, PairText { pre, post }: &PairText) -> b
     if region(pre, (was.x, was.y)) == region(post, (is.x, is.y)) || moved.iter().any(is_beside) {
         return true;
     }
-    let back = State { agent: was.clone(), ..post.clone() };
+    let back = State { agent: *was, ..post.clone() };
     !goal.holds(&back)
 }
 

@@ -24,11 +24,9 @@ pub fn progressed(state: &mut State, event: Event) {
 /// A request has been answered.
 pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event: Event) {
     match (event, request) {
-        (Event::Answer(answer), Request::Read { .. }) => {
-            if !wonder::was_read(state, shared, &answer) {
-                answer::was_read(state, shared, *answer);
-            }
-        }
+        (Event::Answer(answer), Request::Read { .. })
+            if wonder::was_read(state, shared, &answer) => {}
+        (Event::Answer(answer), Request::Read { .. }) => answer::was_read(state, shared, *answer),
         (Event::Answer(answer), Request::Ask { state: world, .. }) => {
             answer::answered(state, shared, *answer, world);
         }

@@ -1,7 +1,7 @@
 //! Questions by their words, what lies beyond the language, and the guide: its examples are filled in from the room.
 
 use super::{Page, understood, world};
-use groundling::ui::help::guide::{Line, lines};
+use groundling::ui::help::guide::filled;
 use groundling::ui::talk;
 use groundling::ui::talk::command::query::{Query, query};
 use groundling::ui::talk::teach::other::in_other_words;
@@ -9,7 +9,7 @@ use groundling::ui::talk::why::beyond::{Beyond, beyond};
 use groundling::worker::protocol::{Event, Meaning, Request};
 
 const GUIDES: [&str; 2] =
-    [include_str!("../../../www/help.en.txt"), include_str!("../../../www/help.de.txt")];
+    [include_str!("../../../www/help.en.html"), include_str!("../../../www/help.de.html")];
 
 #[test]
 fn questions_are_told_from_commands() {
@@ -75,18 +75,18 @@ fn what_lies_beyond_is_known_by_its_words() {
 #[test]
 fn the_guides_say_the_same_and_their_examples_are_of_the_room() {
     let said = |text: &str| {
-        let lines = lines(text, &world()).into_iter();
-        lines
-            .filter_map(|line| match line {
-                Line::Say(words) => Some(words),
-                _ => None,
-            })
-            .collect::<Vec<_>>()
+        let filled = filled(text, &world());
+        let parts: Vec<String> = filled
+            .split("#say=")
+            .skip(1)
+            .filter_map(|part| part.split('"').next().map(str::to_owned))
+            .collect();
+        parts
     };
     let [english, german] = GUIDES.map(said);
     assert_eq!(english, german);
     assert!(english.contains(&"go to the room with the yellow block".to_owned()), "{english:?}");
     assert!(english.iter().all(|words| !words.contains('{')), "{english:?}");
-    let bare = lines(GUIDES[0], &groundling::ui::page::world::empty());
-    assert!(!bare.iter().any(|line| matches!(line, Line::Say(words) if words.contains("yellow"))));
+    let bare = filled(GUIDES[0], &groundling::ui::page::world::empty());
+    assert!(!bare.contains("yellow") && bare.contains("enter the biggest room"));
 }

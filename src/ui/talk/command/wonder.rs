@@ -18,7 +18,7 @@ pub(crate) fn ask(state: &mut State, shared: &mut Shared, query: Query, about: S
     state.settle(shared);
     state.command.forget();
     let text = Text::of(shared.language);
-    let robot = shared.document.world.agent.clone();
+    let robot = shared.document.world.agent;
     match query {
         Query::World => {
             answer(state, shared, text.phrases.world(&shared.document.world), Vec::new())
