@@ -31,7 +31,9 @@ pub struct Hearing {
 impl Hearing {
     /// Hears a command's words.
     pub fn new(model: &Model, words: &[String]) -> Self {
-        let words = heard(model, words);
+        // What was learned of a whole sentence is learned of it as it is spelt.
+        let is_idiom = model.lexicon.idiom(&boxed(words)).is_some();
+        let words = if is_idiom { words.to_vec() } else { heard(model, words) };
         let (closed, empty) = (closed(&words), empty_entries(model, &words));
         Hearing { words, closed, empty }
     }
@@ -96,6 +98,11 @@ impl Hearing {
             }
         }
     }
+}
+
+/// Words as the lexicon has them.
+pub(super) fn boxed(words: &[String]) -> Box<[Box<str>]> {
+    words.iter().map(|word| Box::from(word.as_str())).collect()
 }
 
 /// What it is scored by that words are taken for something near.

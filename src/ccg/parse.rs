@@ -10,7 +10,7 @@ use super::closed::Kind;
 use super::combinator::Grammar;
 use super::derivation::Derivation;
 use super::goals::{Goal, Goals};
-use super::hearing::{Hearing, taken};
+use super::hearing::{Hearing, boxed, taken};
 use super::lexicon::EntryId;
 use super::lookup::lexical_item;
 use super::model::Model;
@@ -20,6 +20,9 @@ use indexmap::IndexMap;
 use indexmap::map::Entry;
 use rustc_hash::FxBuildHasher;
 use std::rc::Rc;
+
+/// By how much the reading leads that a sentence was said to mean.
+const PREFERENCE: f64 = 1.0;
 
 /// Why a command has no single answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,6 +181,9 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
         }
     }
     let is_closed = closed.iter().any(Option::is_some);
+    if is_closed && let Some(entry) = model.lexicon.idiom(&boxed(heard)) {
+        prefer(&mut parse, model.lexicon.category(entry).meaning);
+    }
     if let Some(&best) = parse.readings.first() {
         let left_out = left_out(&model.grammar, &parse.derivation(best), empty);
         // Beside a closed word what is left out may be half of what it speaks of.
@@ -240,10 +246,23 @@ fn left_out(
 
 /// The entry of the whole sentence, if it is an idiom.
 fn idiom(model: &Model, hearing: &Hearing) -> Option<Lexical> {
-    let words: Vec<Box<str>> = hearing.words.iter().map(|word| Box::from(&**word)).collect();
     let is_closed = hearing.closed.iter().any(Option::is_some);
-    let entry = model.lexicon.idiom(&words).filter(|_| !is_closed)?;
-    Some(lexical_item(model, entry, 0, words.len()))
+    let entry = model.lexicon.idiom(&boxed(&hearing.words)).filter(|_| !is_closed)?;
+    Some(lexical_item(model, entry, 0, hearing.words.len()))
+}
+
+/// Puts the reading first that a sentence with closed words was said to mean. It is one of its own: no closed word gets
+/// another meaning by that.
+fn prefer(parse: &mut Parse, form: TermId) {
+    let Some(place) = parse.readings.iter().position(|reading| reading.form == form) else {
+        return;
+    };
+    let best = parse.readings.first().map_or(0.0, |best| best.score);
+    let chosen = Reading { score: best + PREFERENCE, ..parse.readings.remove(place) };
+    parse.readings.insert(0, chosen);
+    if parse.reason == Some(Reason::Tie) {
+        parse.reason = None;
+    }
 }
 
 /// The stretches of a sentence without closed words, the last one first: a part of it that could be done. Behind a word

@@ -3,7 +3,7 @@
 //! Nothing is heard as a word that means nothing; of words that are as near, one that turns round is heard first.
 
 use super::closed::{Kind, closed, closed_words};
-use super::lexicon::Lexicon;
+use super::lexicon::{EntryId, Lexicon, Origin};
 use super::model::Model;
 
 /// Letters below which a word is taken as it stands: too many short words are one letter apart.
@@ -12,6 +12,8 @@ const SHORTEST: usize = 4;
 const SHORTEST_TURN: usize = 3;
 /// Letters from which a word may be two edits away.
 const LONG: usize = 8;
+/// Letters from which a word that is only offered may be.
+const LONGER: usize = 6;
 
 /// The words as the lexicon knows them: unknown ones are replaced by the nearest known word that one insertion,
 /// deletion, substitution or swap of neighbours makes of them (two in long words); where there are several, one that
@@ -63,17 +65,23 @@ fn is_slip(word: &str, turn: &str) -> bool {
         && (is_without_vowels || sorted(word) == sorted(turn) || undoubled(word) == undoubled(turn))
 }
 
-/// Up to `most` known words that are spelt somewhat like an unknown one, nearest first: less alike than what is heard
-/// without asking, to be offered to whoever wrote it.
-pub fn alike(lexicon: &Lexicon, word: &str, most: usize) -> Vec<String> {
+/// Known words that are spelt somewhat like an unknown one, nearest first, to be offered to whoever wrote it: words with
+/// a meaning, of the seed alone, since others may have misspelt what they taught; one letter away, or two in longer words.
+pub fn alike(lexicon: &Lexicon, word: &str) -> Vec<String> {
     let length = word.chars().count();
-    let bound = 1 + length / SHORTEST;
+    let bound = if length < LONGER { 1 } else { 2 };
+    let is_seed = |known: &&str| {
+        let means =
+            |&id: &EntryId| lexicon.origin(id) == Origin::Seed && !lexicon.is_empty_entry(id);
+        lexicon.entries_for_word(known).iter().any(means)
+    };
     let mut near: Vec<(usize, &str)> = lexicon
         .vocabulary()
+        .filter(is_seed)
         .map(|known| (strsim::damerau_levenshtein(word, known), known))
         .filter(|&(distance, known)| distance <= bound && distance < known.chars().count())
         .filter(|_| length >= 2)
         .collect();
     near.sort_unstable();
-    near.into_iter().take(most).map(|(_, known)| known.to_owned()).collect()
+    near.into_iter().map(|(_, known)| known.to_owned()).collect()
 }

@@ -20,4 +20,6 @@
 pub mod page;
 pub mod talk;
 pub mod train;
+pub mod kept;
+pub mod help;
 pub mod app;

@@ -3,6 +3,7 @@
 
 use super::experiment::Experimenting;
 use super::job::{Job, Role, Step, misdirected, say};
+use super::lesson::{check, is_meant, mean, told};
 use super::progress::{CorpusReading, Read, progress};
 use super::protocol::{
     CorpusFile, CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Program, Request, RowSummary,
@@ -143,18 +144,20 @@ fn teach(model: &str, lessons: Vec<Lesson>) -> Result<Job<Learner>, String> {
     if lessons.is_empty() || lessons.len() > MOST_TAUGHT {
         return Err(format!("Teach between 1 and {MOST_TAUGHT} commands at once."));
     }
-    if let Some(bare) = lessons.iter().find(|lesson| lesson.pairs.is_empty()) {
+    let is_bare = |lesson: &&Lesson| lesson.pairs.is_empty() && lesson.means.is_none();
+    if let Some(bare) = lessons.iter().find(is_bare) {
         return Err(format!("Show what to do when one says {:?}.", bare.command));
     }
     let model =
         Model::read(model).map_err(|error| format!("The model cannot be read: {error}."))?;
-    let examples: Vec<Example> = lessons.into_iter().map(example).collect();
+    let shown = lessons.iter().filter(|lesson| !lesson.pairs.is_empty());
+    let examples: Vec<Example> = shown.cloned().map(example).collect();
     let config = Config { demonstrations: None, ..Config::of(&model) };
     let teaching = Teaching::new(model, &examples, config)
         .map_err(|error| format!("The model cannot be taught: {error}."))?;
     let mut teaching = Some(teaching);
     Ok(Box::new(move |_| match teaching.take_if(|teaching| teaching.is_done()) {
-        Some(done) => Step::Over(taught(done.end())),
+        Some(done) => Step::Over(taught(done.end(), &lessons)),
         None => {
             teaching.iter_mut().for_each(Teaching::step);
             Step::Working(None)
@@ -162,10 +165,21 @@ fn teach(model: &str, lessons: Vec<Lesson>) -> Result<Job<Learner>, String> {
     }))
 }
 
-fn taught(Taught { model, entries, understood }: Taught) -> Event {
+fn taught(Taught { mut model, entries, understood }: Taught, lessons: &[Lesson]) -> Event {
+    let mut shown = understood.into_iter();
+    let (mut understood, mut refusal) = (Vec::new(), None);
+    for lesson in lessons {
+        let as_shown = !lesson.pairs.is_empty() && shown.next().unwrap_or(false);
+        refusal = mean(&mut model, lesson).err();
+        let is_meant = refusal.is_none() && is_meant(&mut model, lesson);
+        understood.push(if lesson.means.is_some() { is_meant } else { as_shown });
+    }
+    let last = lessons.last().filter(|last| last.means.is_none());
+    let check = last.map(|last| check(&mut model, last));
+    let told = entries.iter().map(|&id| told(&mut model, id)).collect();
     let added = entries.into_iter().map(|id| EntryText::of(&model, id)).collect();
     let model = report(&model, model.print());
-    Event::Taught(Box::new(TeachReport { model, added, understood }))
+    Event::Taught(Box::new(TeachReport { model, added, told, understood, check, refusal }))
 }
 
 fn example(lesson: Lesson) -> Example {

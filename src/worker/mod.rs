@@ -13,6 +13,7 @@ pub mod job;
 mod talker;
 mod progress;
 mod experiment;
+mod lesson;
 mod learner;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;

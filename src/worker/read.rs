@@ -6,7 +6,7 @@ use crate::ccg::{
     self, ChartConfig, Derivation, Explanation, Hearing, Model, Parse, Reason, Trace, Traced,
     alike, composed_words, parse_words,
 };
-use crate::domain::{Bounds, State};
+use crate::domain::{Bounds, Color, Shape, State};
 use crate::ground::{self, Class, Entity, Failure, Goal, Thing, claim, noun, phrases};
 use crate::logic::{TermId, print, print_human, steps};
 
@@ -28,7 +28,7 @@ pub(super) fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
 }
 
 /// The words of a parse, and what became of each in the best reading.
-pub(super) fn words(model: &Model, parse: &Parse) -> Vec<Word> {
+pub(super) fn words(model: &Model, parse: &Parse, state: &State) -> Vec<Word> {
     let best = parse.readings.first().map(|&reading| parse.derivation(reading));
     let absorbed = best.map(|derivation| derivation.absorbed());
     let Hearing { words: spelt, closed, .. } = Hearing::new(model, &parse.words);
@@ -43,7 +43,10 @@ pub(super) fn words(model: &Model, parse: &Parse) -> Vec<Word> {
             _ => Fate::Skipped,
         };
         let near = match fate {
-            Fate::Unknown => alike(&model.lexicon, text, MAX_NEAR),
+            Fate::Unknown => {
+                let near = alike(&model.lexicon, text).into_iter();
+                near.filter(|word| is_here(model, word, state)).take(MAX_NEAR).collect()
+            }
             _ => Vec::new(),
         };
         Word { text: text.clone(), heard, fate, closed: closed[at], near }
@@ -60,6 +63,19 @@ pub(super) fn words(model: &Model, parse: &Parse) -> Vec<Word> {
         }
     }
     words
+}
+
+/// Whether a word that names a colour or a shape names one of the world's.
+fn is_here(model: &Model, word: &str, state: &State) -> bool {
+    let lexicon = &model.lexicon;
+    let entries = lexicon.entries_for_word(word).iter();
+    let constants = entries.flat_map(|&id| &lexicon.lexeme(lexicon.entry(id).lexeme).constants);
+    let mut names = constants.map(|&constant| model.grammar.terms.name(constant));
+    names.all(|name| match (name.parse::<Color>(), name.parse::<Shape>()) {
+        (Ok(color), _) => Thing::all(state).iter().any(|thing| thing.color() == Some(color)),
+        (_, Ok(shape)) => state.objects.iter().any(|object| object.shape == shape),
+        _ => true,
+    })
 }
 
 /// The words that the best reading takes for others, but for misspelt ones and shades, which are told apart.

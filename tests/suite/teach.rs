@@ -176,7 +176,7 @@ fn request(model: &str, lessons: &[Example]) -> Request {
         let pairs = example.pairs.iter();
         pairs.map(|p| PairText { pre: p.pre.clone(), post: p.post.clone() }).collect()
     };
-    let lesson = |e: &Example| Lesson { command: e.command.clone(), pairs: pairs(e) };
+    let lesson = |e: &Example| Lesson { command: e.command.clone(), pairs: pairs(e), means: None };
     let examples = lessons.iter().map(lesson).collect();
     Request::Teach { model: model.to_owned(), examples }
 }
@@ -217,7 +217,7 @@ fn the_learner_teaches_the_model_it_is_given() {
     let Event::Taught(report) = last(&mut engine, request(&before, &[emerald()])) else {
         panic!("it was not taught");
     };
-    let TeachReport { model: after, added, understood } = *report;
+    let TeachReport { model: after, added, understood, .. } = *report;
     assert!(after.model == taught(model(), &[emerald()]).model.print(), "as the library teaches");
     assert!(added.iter().any(|entry| entry.words == "emerald") && understood == [true]);
     let answer = answer(&after.model);

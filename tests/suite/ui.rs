@@ -4,8 +4,12 @@
 mod doubt;
 #[path = "ui/edit.rs"]
 mod edit;
+#[path = "ui/kept.rs"]
+mod kept;
 #[path = "ui/messages.rs"]
 mod messages;
+#[path = "ui/questions.rs"]
+mod questions;
 #[path = "ui/room.rs"]
 mod room;
 #[path = "ui/share.rs"]
@@ -26,6 +30,7 @@ use groundling::ui::page::effect::{Effect, Timer};
 use groundling::ui::page::engine::Health;
 use groundling::ui::page::grammar::{English, Phrases};
 use groundling::ui::page::history::History;
+use groundling::ui::page::keep::ask::Ask;
 use groundling::ui::page::language::Language;
 use groundling::ui::page::world::WORLDS;
 use groundling::ui::talk::Action as Talk;
@@ -33,8 +38,21 @@ use groundling::ui::talk::why::messages::{Message, messages};
 use groundling::ui::train::Action as Train;
 use groundling::worker::protocol::{
     Answer, Article, Claim, CorpusReport, Description, Envelope, Event, Fate, Noun, PairText,
-    PlanProgress, PlanText, Program, Reading, Request, RowSummary, TrainReport, VERSION, Why, Word,
+    PlanProgress, PlanText, Program, Reading, Request, RowSummary, TeachReport, TrainReport,
+    VERSION, Why, Word,
 };
+
+/// What the learner says of lessons.
+pub(crate) fn taught(text: &str, understood: &[bool]) -> Event {
+    Event::Taught(Box::new(TeachReport {
+        model: model(text),
+        added: Vec::new(),
+        told: Vec::new(),
+        understood: understood.to_vec(),
+        check: None,
+        refusal: None,
+    }))
+}
 
 /// A page and the engines' side of the talk: what was posted and not yet answered.
 pub(crate) struct Page {
@@ -277,6 +295,7 @@ fn it_opens_with_the_engine_that_answers_and_the_model() {
             Effect::FetchModel,
             Effect::SetLanguage(Language::English),
             Effect::Focus("command"),
+            Effect::Keep(Ask::Open),
         ]
     );
     page.act(Action::Fetched(Ok("the model".to_owned())));

@@ -6,6 +6,8 @@ mod answers;
 mod doubts;
 #[path = "worker/experiments.rs"]
 mod experiments;
+#[path = "worker/lessons.rs"]
+mod lessons;
 #[path = "worker/messages.rs"]
 mod messages;
 #[path = "worker/plans.rs"]

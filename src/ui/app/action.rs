@@ -2,6 +2,7 @@
 
 use crate::ui::page::effect::Timer;
 use crate::ui::page::files::Offered;
+use crate::ui::page::keep::ask::News;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::{Depth, Preferences};
 use crate::ui::{talk, train};
@@ -15,6 +16,23 @@ pub enum View {
     Talk,
     /// Train a parser on a corpus.
     Train,
+    /// See what is kept on this machine.
+    Kept,
+    /// Read what can be said, and which keys there are.
+    Help,
+}
+
+impl View {
+    /// The view that an address names behind its `#`; one that names none is of the first.
+    pub fn of(name: &str) -> Option<View> {
+        Some(match name {
+            "" | "talk" => View::Talk,
+            "train" => View::Train,
+            "kept" => View::Kept,
+            "help" => View::Help,
+            _ => return None,
+        })
+    }
 }
 
 /// Something that happened.
@@ -50,10 +68,26 @@ pub enum Action {
     EngineBroke(Program, String),
     /// A person asked for a new engine.
     RestartEngine(Program),
+    /// The store said something.
+    Stored(News),
+    /// The page was opened by this link, which is being unpacked.
+    Linked(String),
+    /// The page is not to be seen any more, and may be closed.
+    Hidden,
+    /// Begin afresh.
+    Afresh,
+    /// Go back to one's own session.
+    GoBack,
+    /// Have this tab keep the session.
+    KeepHere,
+    /// What there is to say of the session was read.
+    CloseOrigin,
     /// A timer ran out.
     Rang(Timer),
     /// The model that comes with the page is there, or is not; the text says why.
     Fetched(Result<String, String>),
+    /// The guide is there, or is not; the text says why.
+    FetchedGuide(Result<String, String>),
     /// The general resource for words is there, or is not; the text says why.
     FetchedWords(Result<String, String>),
 }

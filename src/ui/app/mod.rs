@@ -5,6 +5,7 @@ pub mod words;
 pub mod action;
 pub mod state;
 mod wish;
+mod keep;
 pub mod hear;
 pub mod update;
 #[cfg(target_arch = "wasm32")]

@@ -2,7 +2,7 @@
 
 use super::action::View;
 use crate::ui::page::shared::Shared;
-use crate::ui::{talk, train};
+use crate::ui::{help, talk, train};
 
 /// All that the page knows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,4 +15,6 @@ pub struct State {
     pub talk: talk::State,
     /// The Train page.
     pub train: train::State,
+    /// The guide.
+    pub help: help::State,
 }

@@ -4,19 +4,21 @@
 use super::action::{Action, View};
 use super::state::State;
 use super::words::Text;
-use super::{hear, wish};
+use super::{hear, keep, wish};
 use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
+use crate::ui::page::keep::ask::Ask;
 use crate::ui::page::words::Text as Common;
 use crate::ui::page::{engines, model, resource};
 use crate::ui::talk::command::examples;
-use crate::ui::{talk, train};
+use crate::ui::{help, talk, train};
 use crate::worker::protocol::Program;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
-    let State { shared, view, talk, train } = state;
+    let change = keep::change(&action);
+    let State { shared, view, talk, train, help } = state;
     match action {
         Action::Talk(action) => talk::update::update(talk, shared, action),
         Action::Train(action) => {
@@ -30,12 +32,16 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             shared.want(Effect::FetchModel);
             shared.want(Effect::SetLanguage(language));
             shared.want(Effect::Focus("command"));
+            shared.want(Effect::Keep(Ask::Open));
         }
         Action::Prefers(preferences) => shared.preferences = preferences,
         Action::Go(to) => {
             *view = to;
-            if to == View::Train {
-                train::update::begin(train, shared);
+            match to {
+                View::Talk => {}
+                View::Train => train::update::begin(train, shared),
+                View::Kept => shared.want(Effect::Keep(Ask::Show(shared.language))),
+                View::Help => help::state::begin(help, shared),
             }
         }
         Action::Deepen(depth) => {
@@ -45,6 +51,11 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Speak(language) => {
             shared.language = language;
             shared.want(Effect::SetLanguage(language));
+            match view {
+                View::Help => help::state::begin(help, shared),
+                View::Kept => shared.want(Effect::Keep(Ask::Show(language))),
+                View::Talk | View::Train => {}
+            }
         }
         Action::Undo => travel(state, History::undo, |text| text.undone),
         Action::Redo => travel(state, History::redo, |text| text.redone),
@@ -60,6 +71,13 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             hear::told(state, program, Some(news));
         }
         Action::RestartEngine(program) => hear::restart(state, program),
+        Action::Stored(news) => keep::heard(state, news),
+        Action::Linked(link) => keep::linked(state, &link),
+        Action::Hidden | Action::Rang(Timer::Keep) => keep::keep(state),
+        Action::Afresh => keep::afresh(state),
+        Action::GoBack => keep::go_back(state),
+        Action::KeepHere => keep::keep_here(shared),
+        Action::CloseOrigin => shared.keep.origin = None,
         Action::Rang(Timer::Watch(program, watch)) => {
             let news = engines::look(shared, program, watch);
             hear::told(state, program, news);
@@ -68,6 +86,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Rang(Timer::Demo(number)) => talk::demo::run::rang(talk, shared, number),
         Action::Rang(Timer::Play(play)) => talk::watch::play::rang(talk, shared, play),
         Action::Fetched(text) => model::fetched(shared, text),
+        Action::FetchedGuide(text) => help::state::came(help, text),
         Action::FetchedWords(text) => {
             if resource::fetched(shared, text) {
                 talk::hear::can_hear(talk, shared);
@@ -76,6 +95,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
     }
     talk::demo::run::begin(&mut state.talk, &mut state.shared);
     examples::keep_up(&mut state.talk, &mut state.shared);
+    keep::look(&mut state.shared, change);
     state.shared.take_wanted()
 }
 

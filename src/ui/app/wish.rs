@@ -1,6 +1,7 @@
 //! What one page wishes of another, done by the only one who knows both.
 
 use super::action::View;
+use super::keep;
 use super::state::State;
 use crate::ui::page::files::{self, Kind, Offered};
 use crate::ui::page::model;
@@ -23,20 +24,24 @@ pub(super) fn grant(state: &mut State, wish: Option<train::Wish>) {
 
 /// Opens files on the page that such files are for; all corpora among them are one. Where one cannot be read, none is.
 pub(super) fn open(state: &mut State, files: Vec<Offered>) {
-    let State { shared, view, talk, train } = state;
+    let State { shared, view, talk, train, .. } = state;
     let mut corpora = Vec::new();
     for Offered { name, bytes } in files {
         let opened = bytes.and_then(|bytes| {
-            let kind = files::kind(&name, &bytes);
-            if kind == Kind::Corpus {
-                corpora.push(CorpusFile { name: name.clone(), bytes });
-                return Ok(());
-            }
-            let text = files::text(bytes)?;
-            if kind == Kind::Model {
-                model::open_file(shared, text);
-            } else {
-                talk::update::update(talk, shared, talk::Action::Open(Ok(text)));
+            match files::kind(&name, &bytes) {
+                Kind::Corpus => corpora.push(CorpusFile { name: name.clone(), bytes }),
+                Kind::Model => {
+                    model::open_file(shared, files::text(bytes)?);
+                    if *view == View::Kept {
+                        *view = View::Talk;
+                    }
+                }
+                Kind::Session => {
+                    let text = files::text(bytes)?;
+                    keep::put_aside(shared);
+                    talk::update::update(talk, shared, talk::Action::Open(Ok(text)));
+                    *view = View::Talk;
+                }
             }
             Ok(())
         });

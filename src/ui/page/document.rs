@@ -162,6 +162,6 @@ impl Draft {
     /// The demonstration as a lesson.
     pub fn lesson(&self, command: String) -> Lesson {
         let pair = PairText { pre: self.before.clone(), post: self.after.clone() };
-        Lesson { command, pairs: vec![pair] }
+        Lesson { command, pairs: vec![pair], means: None }
     }
 }

@@ -1,5 +1,6 @@
 //! What the pages want done ([`Effect`]). Plain data: a test reads effects, with no browser.
 
+use super::keep::ask::Ask;
 use super::language::Language;
 use crate::worker::protocol::{CorpusFile, Envelope, Program, Request};
 
@@ -16,6 +17,10 @@ pub enum Effect {
     FetchModel,
     /// Get the general resource that comes with the page: what words that the lexicon does not know may stand for.
     FetchWords,
+    /// Get the guide in a language.
+    FetchGuide(Language),
+    /// Have the store do something.
+    Keep(Ask),
     /// The person reads another language.
     SetLanguage(Language),
     /// Make a link that holds a text, show it in the address bar and copy it.
@@ -46,6 +51,8 @@ pub enum Timer {
     Examples(u32),
     /// Time for the next thing that the page does by itself.
     Demo(u32),
+    /// Time to keep the session, if it has changed.
+    Keep,
     /// Time to see whether an engine still answers.
     Watch(Program, u32),
 }

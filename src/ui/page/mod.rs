@@ -8,6 +8,7 @@ pub mod preferences;
 pub mod world;
 pub mod document;
 pub mod history;
+pub mod keep;
 pub mod files;
 pub mod effect;
 pub mod engine;

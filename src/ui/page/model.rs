@@ -18,7 +18,7 @@ pub fn fetch(shared: &mut Shared) {
 /// The model that comes with the page has come, or has not.
 pub fn fetched(shared: &mut Shared, text: Result<String, String>) {
     match text {
-        Ok(text) if shared.document.base.is_none() => {
+        Ok(text) if shared.document.base.is_none() && !shared.talker.is_at(is_opening) => {
             shared.opening = Origin::Shipped;
             shared.send(Request::OpenModel { text }, true);
         }
@@ -35,7 +35,13 @@ pub fn fetched(shared: &mut Shared, text: Result<String, String>) {
 pub fn open_file(shared: &mut Shared, text: String) {
     shared.model_notice = None;
     shared.opening = Origin::File;
+    // It takes the place of whatever waits to be opened.
+    shared.talker.retain(|request| !is_opening(request));
     shared.send(Request::OpenModel { text }, true);
+}
+
+const fn is_opening(request: &Request) -> bool {
+    matches!(request, Request::OpenModel { .. })
 }
 
 /// Goes on with this model: the engine that answers is given it.

@@ -6,6 +6,7 @@ use super::document::{Document, Origin};
 use super::effect::Effect;
 use super::engine::{Engine, Health};
 use super::history::History;
+use super::keep::state::Keep;
 use super::language::Language;
 use super::preferences::{Depth, Preferences};
 use crate::worker::protocol::{Program, Request};
@@ -21,6 +22,8 @@ pub struct Shared {
     pub document: Document,
     /// Where they can go.
     pub history: History<Document>,
+    /// What is kept on this machine.
+    pub keep: Keep,
     /// Why there is no model, or not the one that was wanted.
     pub model_notice: Option<String>,
     /// Where the model that is being opened comes from.
@@ -48,6 +51,7 @@ impl Shared {
             learner: Engine::new(Program::Learner),
             document: Document::new(),
             history: History::new(),
+            keep: Keep::default(),
             model_notice: None,
             opening: Origin::Shipped,
             words: Resource::default(),

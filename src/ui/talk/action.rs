@@ -25,6 +25,10 @@ pub enum Action {
     Ask,
     /// An example command was chosen: fill the box and send it.
     AskExample(String),
+    /// Bring the command said before into the box, or the one after it.
+    Recall(bool),
+    /// Go on from after something that was said, by its place.
+    GoOn(usize),
     /// Another reading was chosen.
     Choose(usize),
     /// What the person answered to the question is kept as a lesson.
@@ -98,6 +102,8 @@ pub enum Action {
     TypedLesson(String),
     /// Teach what is shown.
     Teach,
+    /// Teach one of the readings that fit what was shown.
+    TeachFit(usize),
     /// Begin the demonstration anew.
     ClearDraft,
     /// Forget a lesson.

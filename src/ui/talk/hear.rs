@@ -1,6 +1,6 @@
 //! What the engines say to the Talk page: each answer goes to the part that asked.
 
-use super::command::{answer, ask, examples};
+use super::command::{answer, ask, examples, wonder};
 use super::room::worlds;
 use super::share::exchange;
 use super::state::State;
@@ -24,6 +24,8 @@ pub fn progressed(state: &mut State, event: Event) {
 /// A request has been answered.
 pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event: Event) {
     match (event, request) {
+        (Event::Answer(answer), Request::Read { .. })
+            if wonder::was_read(state, shared, &answer) => {}
         (Event::Answer(answer), Request::Read { .. }) => answer::was_read(state, shared, *answer),
         (Event::Answer(answer), Request::Ask { state: world, .. }) => {
             answer::answered(state, shared, *answer, world);

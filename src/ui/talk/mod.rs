@@ -7,6 +7,7 @@
 //! have made; none of them comes back.
 
 pub mod command;
+pub mod past;
 pub mod watch;
 pub mod room;
 pub mod teach;

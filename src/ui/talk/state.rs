@@ -3,6 +3,7 @@
 use super::command::offer::Examples;
 use super::command::state::Command;
 use super::demo::state::Demo;
+use super::past::state::Past;
 use super::room::state::{Mode, Room};
 use super::share::state::{Resume, Sharing};
 use super::teach::state::Teach;
@@ -19,6 +20,8 @@ pub struct State {
     pub command: Command,
     /// Commands to try.
     pub command_examples: Examples,
+    /// What was said before.
+    pub past: Past,
     /// What is done in the room.
     pub room: Room,
     /// What is watched.
@@ -39,6 +42,7 @@ impl State {
         State {
             command: Command::default(),
             command_examples: Examples::default(),
+            past: Past::default(),
             room: Room::new(),
             watch: Watch::new(),
             teach: Teach::default(),
@@ -70,6 +74,12 @@ impl State {
             Some(live) => live.readings.first(),
             None => shared.document.reading(),
         }
+    }
+
+    /// Whether a person has begun to do something here.
+    pub fn is_begun(&self, shared: &Shared) -> bool {
+        let has_said = shared.document.said.is_some() || shared.history.can_undo();
+        has_said || !self.command.input.is_empty()
     }
 
     /// The world goes on from what is shown; no plan is left.

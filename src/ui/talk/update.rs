@@ -2,14 +2,17 @@
 //! changed for all pages.
 
 use super::action::Action;
+use super::command::query::query;
 use super::command::state::Command;
-use super::command::{ask, study};
+use super::command::{ask, study, wonder};
 use super::demo::run;
+use super::past::recall;
 use super::room::{hand, moved, worlds};
 use super::share::exchange;
 use super::share::state::Sharing;
 use super::state::State;
 use super::teach::learn;
+use super::teach::other::in_other_words;
 use super::watch::{play, values};
 use super::why::mend;
 use super::words::Text;
@@ -20,12 +23,27 @@ use crate::worker::protocol::Program;
 
 /// Does what a person wants.
 pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
+    if matches!(
+        action,
+        Action::Ask
+            | Action::AskExample(_)
+            | Action::Choose(_)
+            | Action::SetRules(_)
+            | Action::Help(_)
+    ) {
+        state.resume.is_quiet = false;
+    }
     match action {
         Action::Demo => run::want(state, shared),
         Action::Touched => run::end(state, shared),
         Action::Typed(command) => ask::typed(state, shared, &command),
-        Action::Ask => ask::ask(state, shared),
-        Action::AskExample(command) => ask::ask_for(state, shared, command),
+        Action::Ask => say(state, shared),
+        Action::AskExample(command) => {
+            state.command.input = command;
+            say(state, shared);
+        }
+        Action::Recall(back) => recall::recall(state, shared, back),
+        Action::GoOn(place) => recall::go_on(state, shared, place),
         Action::Choose(reading) => ask::choose(state, shared, reading),
         Action::Remember => learn::remember(state, shared),
         Action::Link(link) => state.command.link = link,
@@ -68,6 +86,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
 
         Action::TypedLesson(words) => learn::typed(state, &words),
         Action::Teach => learn::teach(state, shared),
+        Action::TeachFit(place) => learn::mean(state, shared, place),
         Action::ClearDraft => learn::clear_draft(state, shared),
         Action::Unteach(place) => learn::unteach(state, shared, place),
         Action::SaveLessons => learn::save(shared),
@@ -77,6 +96,19 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::SaveSession => exchange::save(shared),
         Action::Open(text) => exchange::opened(state, shared, text),
         Action::CloseShare => state.sharing = Sharing::default(),
+    }
+}
+
+/// Says what stands in the box: a lesson in other words, a question, or a command.
+fn say(state: &mut State, shared: &mut Shared) {
+    match in_other_words(&state.command.input) {
+        Some(lesson) => return learn::learn_besides(state, shared, lesson),
+        None if !shared.can_ask() => return,
+        None => {}
+    }
+    match query(&state.command.input) {
+        Some((query, about)) => wonder::ask(state, shared, query, about),
+        None => ask::ask(state, shared),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::planning::Answer;
 use crate::ccg::EntryText;
 use crate::domain::State;
+use crate::ground::{Claim, Noun};
 use crate::learn::PlannerCost;
 use crate::learn::experiment::By;
 use serde::{Deserialize, Serialize};
@@ -26,8 +27,21 @@ pub enum SeedLexicon {
 pub struct Lesson {
     /// The command.
     pub command: String,
-    /// Its demonstrations.
+    /// Its demonstrations; none where its meaning was said in other words.
     pub pairs: Vec<PairText>,
+    /// What the whole command means, where the person said so.
+    #[serde(default)]
+    pub means: Option<Meaning>,
+}
+
+/// What a person says that a command means.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Meaning {
+    /// The reading that was chosen: its goal as an s-expression.
+    Form(String),
+    /// What it is in other words.
+    Words(String),
 }
 
 /// The settings of a training run that the page offers.
@@ -196,14 +210,73 @@ pub struct TrainReport {
 }
 
 /// What came of teaching.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TeachReport {
     /// The model that was taught.
     pub model: TrainReport,
     /// The entries that were added.
     pub added: Vec<EntryText>,
-    /// For each example whether it is now answered as its demonstrations show.
+    /// What these mean, in plain words.
+    pub told: Vec<Told>,
+    /// For each example whether it is now answered as its demonstrations show, or as its meaning was said.
     pub understood: Vec<bool>,
+    /// What the last example would do now, if it was shown.
+    pub check: Option<Check>,
+    /// Why the last example cannot mean what was said, if so.
+    pub refusal: Option<Refusal>,
+}
+
+/// What words mean now.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Told {
+    /// The words.
+    pub words: String,
+    /// Their meaning.
+    pub what: What,
+}
+
+/// A meaning that was learned.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum What {
+    /// None: the words go without.
+    Nothing,
+    /// The same as this word.
+    Like(String),
+    /// A thing.
+    Thing(Noun),
+    /// A goal.
+    Goal(Claim),
+    /// One that has no plain words.
+    Other,
+}
+
+/// Whether what a command means now accounts for all that was shown.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Check {
+    /// Whether it does.
+    pub ends: bool,
+    /// If not, readings that would.
+    pub fits: Vec<Fit>,
+}
+
+/// A reading that accounts for all that was shown.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Fit {
+    /// Its goal as an s-expression.
+    pub form: String,
+    /// What it says, for plain words.
+    pub claim: Claim,
+}
+
+/// Why words cannot be taught by other words.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Refusal {
+    /// This word of theirs is closed: it gets no new meaning.
+    Closed(String),
+    /// They are understood already.
+    Known,
+    /// The other words are not understood, or in several ways.
+    Lost,
 }
 
 /// How far an experiment is.

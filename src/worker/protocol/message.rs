@@ -10,7 +10,7 @@ use crate::domain::{Blueprint, State};
 use serde::{Deserialize, Serialize};
 
 /// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 7;
+pub const VERSION: u32 = 8;
 
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

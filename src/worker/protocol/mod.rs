@@ -8,9 +8,10 @@ mod reading;
 mod wire;
 
 pub use learning::{
-    Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport, Figures,
-    Judgement, Lesson, MOST_TAUGHT, PairText, Problem, Progress, RowSummary, RunPart, RunReport,
-    SeedLexicon, TaskFigures, TeachReport, TrainReport, TrainSettings,
+    Check, Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport,
+    Figures, Fit, Judgement, Lesson, MOST_TAUGHT, Meaning, PairText, Problem, Progress, Refusal,
+    RowSummary, RunPart, RunReport, SeedLexicon, TaskFigures, TeachReport, Told, TrainReport,
+    TrainSettings, What,
 };
 pub use message::{Envelope, Event, Program, Request, VERSION, Wanted};
 pub use planning::{

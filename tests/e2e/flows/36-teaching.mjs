@@ -17,7 +17,7 @@ flow('a phrase is taught by dragging, used, saved and forgotten', async (t) => {
   await demo.press('teach');
   await demo.by('learned').waitFor();
   t.note(`taught, model loaded and all: ${Date.now() - start} ms`);
-  await t.check(async () => (await demo.by('added').count()) > 0, 'new entries are shown');
+  await t.check(async () => (await demo.by('told').count()) > 0, 'what was learned is told');
   await t.equal(async () => (await demo.robot()).room, 'green', 'the room is as it was');
   await demo.press('ask');
   await demo.answered('the lesson');

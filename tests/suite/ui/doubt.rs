@@ -1,6 +1,6 @@
 //! What is doubtful is asked about, and what would be half of a command is offered: neither is done by itself.
 
-use super::{Page, failed, model, outside, plan, reading, understood, word, world};
+use super::{Page, failed, model, outside, plan, reading, taught, understood, word, world};
 use groundling::domain::Color;
 use groundling::ui::app::Action;
 use groundling::ui::page::coming::Resource;
@@ -12,8 +12,7 @@ use groundling::ui::talk::room::state::Mode;
 use groundling::ui::talk::share::session::Session;
 use groundling::ui::talk::why::help::Help;
 use groundling::worker::protocol::{
-    Answer, Closed, Event, Fate, Noun, Phrase, Program, Refers, Request, Shade, Taken, TeachReport,
-    Word,
+    Answer, Closed, Event, Fate, Noun, Phrase, Program, Refers, Request, Shade, Taken, Word,
 };
 
 fn asked(page: &Page) -> Option<&[usize]> {
@@ -70,8 +69,7 @@ fn the_answer_is_done_and_can_be_remembered() {
     let [lesson] = &examples[..] else { panic!() };
     assert_eq!((lesson.command.as_str(), &lesson.pairs[0].pre), ("go", &world()));
     assert_eq!(lesson.pairs[0].post.agent.x, world().agent.x + 2);
-    let report = TeachReport { model: model("taught"), added: Vec::new(), understood: vec![true] };
-    page.answer(Event::Taught(Box::new(report)));
+    page.answer(taught("taught", &[true]));
     page.answer(Event::Opened(model("taught")));
     assert_eq!(page.state.shared.document.lessons.len(), 1);
     page.act(talk::Action::Remember);

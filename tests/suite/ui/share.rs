@@ -1,6 +1,6 @@
 //! Sharing: what goes out comes back the same, and what comes in is checked.
 
-use super::{Page, model, pair, understood, world};
+use super::{Page, model, pair, taught, understood, world};
 use groundling::ui::app::Action;
 use groundling::ui::page::effect::Effect;
 use groundling::ui::page::preferences::Depth;
@@ -18,8 +18,9 @@ fn session() -> Session {
         command: Some("go to the blue room".to_owned()),
         form: Some("(g:t)".to_owned()),
         depth: Depth::See,
-        lessons: vec![Lesson { command: "scoot".to_owned(), pairs: vec![pair()] }],
+        lessons: vec![Lesson { command: "scoot".to_owned(), pairs: vec![pair()], means: None }],
         model: None,
+        also: None,
     }
 }
 
@@ -49,12 +50,7 @@ fn a_shared_session_opens_lessons_first_then_the_command_then_the_reading() {
     );
     page.hear(groundling::worker::protocol::Program::Learner, 0, Event::Ready);
     assert!(matches!(page.asked(), Request::Teach { examples, .. } if examples.len() == 1));
-    let report = groundling::worker::protocol::TeachReport {
-        model: model("taught"),
-        added: Vec::new(),
-        understood: vec![true],
-    };
-    page.answer(Event::Taught(Box::new(report)));
+    page.answer(taught("taught", &[true]));
     page.answer(Event::Opened(model("taught")));
     assert!(
         page.state.shared.talker.is_at(

@@ -1,6 +1,6 @@
 //! Teaching: showing, saying, learning, forgetting, and all of it undone.
 
-use super::{Page, model, world};
+use super::{Page, model, taught, world};
 use groundling::domain::Direction;
 use groundling::ui::app::Action;
 use groundling::ui::page::effect::Effect;
@@ -9,7 +9,7 @@ use groundling::ui::talk;
 use groundling::ui::talk::room::point::Key;
 use groundling::ui::talk::room::state::Mode;
 use groundling::ui::talk::teach::state::Missing;
-use groundling::worker::protocol::{Event, Lesson, Program, Request, TeachReport};
+use groundling::worker::protocol::{Event, Lesson, Program, Request};
 
 /// A page on which the robot was driven a step west for a lesson, the learner being up.
 fn shown() -> Page {
@@ -19,12 +19,6 @@ fn shown() -> Page {
     page.hear(Program::Learner, 0, Event::Ready);
     page.act(talk::Action::Press(Key::Arrow(Direction::West, false)));
     page
-}
-
-fn taught(text: &str, understood: &[bool]) -> Event {
-    let report =
-        TeachReport { model: model(text), added: Vec::new(), understood: understood.to_vec() };
-    Event::Taught(Box::new(report))
 }
 
 /// The page has learned one command.
@@ -67,7 +61,7 @@ fn what_was_taught_is_used_at_once() {
     page.act(talk::Action::Teach);
     let Request::Teach { model: base, examples } = page.asked() else { panic!() };
     assert_eq!(base, "the model");
-    let [Lesson { command, pairs }] = examples.as_slice() else { panic!() };
+    let [Lesson { command, pairs, .. }] = examples.as_slice() else { panic!() };
     assert_eq!((command.as_str(), &pairs[0].pre), ("scoot over", &world()));
     assert_eq!(pairs[0].post.agent.x, world().agent.x - 1);
     page.answer(taught("taught once", &[true]));

@@ -6,12 +6,13 @@ use groundling::domain::{Blueprint, Color, Direction, Shape, Size};
 use groundling::learn::PlannerCost;
 use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
-    Answer, Article, CellValue, Claim, Closed, Confused, CorpusFile, CorpusReport, Description,
-    EntryText, Envelope, Event, Experiment, ExperimentProgress, ExperimentReport, Explanation,
-    Fate, Figures, Judgement, Lesson, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress,
-    PlanText, Problem, Program, Progress, Reading, Referent, Refers, Request, RowSummary, RunPart,
-    RunReport, Runs, SeedLexicon, Shade, Study, Taken, TaskFigures, TeachReport, TrainReport,
-    VERSION, ValueMap, Wanted, Why, WireError, Word, WorldRules, decode, encode,
+    Answer, Article, CellValue, Check, Claim, Closed, Confused, CorpusFile, CorpusReport,
+    Description, EntryText, Envelope, Event, Experiment, ExperimentProgress, ExperimentReport,
+    Explanation, Fate, Figures, Judgement, Lesson, Meaning, Node, Noun, PairText, Part, Phrase,
+    Piece, PlanProgress, PlanText, Problem, Program, Progress, Reading, Referent, Refers, Refusal,
+    Request, RowSummary, RunPart, RunReport, Runs, SeedLexicon, Shade, Study, Taken, TaskFigures,
+    TeachReport, Told, TrainReport, VERSION, ValueMap, Wanted, What, Why, WireError, Word,
+    WorldRules, decode, encode,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use serde::{Serialize, de::DeserializeOwned};
@@ -87,7 +88,11 @@ fn requests() -> Vec<Request> {
         Request::Train { lexicon: SeedLexicon::Demonstration, settings: some },
         Request::Teach {
             model: "groundling model 1\nend\n".to_owned(),
-            examples: vec![Lesson { command: "go".to_owned(), pairs: vec![pair] }],
+            examples: vec![Lesson {
+                command: "go".to_owned(),
+                pairs: vec![pair],
+                means: Some(Meaning::Words("walk".to_owned())),
+            }],
         },
         Request::Explain { command: "go".to_owned() },
         Request::Read { command: "go".to_owned(), state: state.clone() },
@@ -295,7 +300,10 @@ fn events_come_back_from_the_wire() {
         Event::Taught(Box::new(TeachReport {
             model: trained,
             added: vec![entry.clone()],
+            told: vec![Told { words: "go".to_owned(), what: What::Like("walk".to_owned()) }],
             understood: vec![true],
+            check: Some(Check { ends: false, fits: Vec::new() }),
+            refusal: Some(Refusal::Closed("not".to_owned())),
         })),
         Event::Words,
         Event::Explained(vec![Study {

@@ -35,6 +35,11 @@ extern "C" {
 /// Tells the page what its address says, now and whenever it changes.
 pub(super) fn watch(act: &Callback<Action>) {
     read(act);
+    // Who comes with a link, or asks for a view, knows the page already.
+    if hash().is_empty() {
+        act.emit(Action::Talk(talk::Action::Demo));
+        host::once_touched(act.reform(|()| Action::Talk(talk::Action::Touched)));
+    }
     let act = act.clone();
     let changed = Closure::<dyn FnMut()>::new(move || read(&act));
     if let Some(window) = web_sys::window() {
@@ -44,22 +49,27 @@ pub(super) fn watch(act: &Callback<Action>) {
     changed.forget();
 }
 
+/// What stands behind the address, with its `#`.
+fn hash() -> String {
+    web_sys::window().and_then(|w| w.location().hash().ok()).unwrap_or_default()
+}
+
 fn read(act: &Callback<Action>) {
-    let hash = web_sys::window().and_then(|w| w.location().hash().ok()).unwrap_or_default();
+    let hash = hash();
     if let Some(packed) = hash.strip_prefix(SESSION) {
+        act.emit(Action::Linked(hash.trim_start_matches('#').to_owned()));
         let (packed, act) = (packed.to_owned(), act.clone());
         spawn_local(
             async move { act.emit(Action::Talk(talk::Action::Open(unpack(&packed).await))) },
         );
-    } else if hash == "#train" {
-        act.emit(Action::Go(View::Train));
-    } else if hash == "#talk" {
+    } else if let Some(said) = hash.strip_prefix("#say=") {
+        // Said once: the browser comes back to the talk, and not to this.
+        replace("#talk");
+        let said = js_sys::decode_uri_component(said).map(String::from).unwrap_or_default();
         act.emit(Action::Go(View::Talk));
-    } else {
-        // Who comes with a link, or asks for a view, knows the page already.
-        act.emit(Action::Talk(talk::Action::Demo));
-        let act = act.clone();
-        host::once_touched(move || act.emit(Action::Talk(talk::Action::Touched)));
+        act.emit(Action::Talk(talk::Action::AskExample(said)));
+    } else if let Some(view) = View::of(hash.trim_start_matches('#')) {
+        act.emit(Action::Go(view));
     }
 }
 
@@ -91,11 +101,15 @@ async fn link(text: &str) -> Result<String, String> {
     let address = location.href().map_err(broken)?;
     let bare = address.split('#').next().unwrap_or_default();
     let address = format!("{bare}{SESSION}{packed}");
-    // Without a new entry in the history, and without being told of it.
-    if let Ok(history) = window.history() {
-        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(&address));
-    }
+    replace(&address);
     Ok(address)
+}
+
+/// Replaces the address, without a new entry in the history, and without being told of it.
+fn replace(address: &str) {
+    if let Some(history) = web_sys::window().and_then(|w| w.history().ok()) {
+        let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(address));
+    }
 }
 
 /// A text as a link holds it: deflated, in the letters of base 64 that an address needs not escape.

@@ -5,13 +5,15 @@ use super::address;
 use crate::ui::app::action::Action;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::view::host;
+use crate::ui::page::view::keeper::Keeper;
+use crate::ui::page::view::save::{object_url, save};
 use crate::worker::protocol::{Program, decode, encode};
 use gloo_timers::callback::Timeout;
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, MessageEvent, Response, Url, Worker};
+use web_sys::{MessageEvent, Response, Url, Worker};
 use web_sys::{WorkerOptions, WorkerType};
 use yew::Callback;
 
@@ -28,6 +30,7 @@ const WORDS: &str = "words.txt";
 /// Carries effects out, and tells the page what comes of them.
 pub(super) struct Effects {
     act: Callback<Action>,
+    keeper: Keeper,
     talker: Option<Engine>,
     learner: Option<Engine>,
 }
@@ -50,7 +53,8 @@ impl Drop for Engine {
 impl Effects {
     /// Results go to `act`.
     pub(super) fn new(act: Callback<Action>) -> Effects {
-        Effects { act, talker: None, learner: None }
+        let keeper = Keeper::new(act.reform(Action::Stored));
+        Effects { act, keeper, talker: None, learner: None }
     }
 
     /// Carries effects out, in order.
@@ -82,20 +86,12 @@ impl Effects {
                 let act = self.act.clone();
                 Timeout::new(ms, move || act.emit(Action::Rang(timer))).forget();
             }
-            Effect::FetchModel => {
-                let act = self.act.clone();
-                spawn_local(async move {
-                    let text = fetch(MODEL).await.map_err(|error| host::words(&error));
-                    act.emit(Action::Fetched(text));
-                });
+            Effect::FetchModel => self.fetch(MODEL.to_owned(), Action::Fetched),
+            Effect::FetchWords => self.fetch(WORDS.to_owned(), Action::FetchedWords),
+            Effect::FetchGuide(language) => {
+                self.fetch(format!("help.{}.html", language.code()), Action::FetchedGuide);
             }
-            Effect::FetchWords => {
-                let act = self.act.clone();
-                spawn_local(async move {
-                    let text = fetch(WORDS).await.map_err(|error| host::words(&error));
-                    act.emit(Action::FetchedWords(text));
-                });
-            }
+            Effect::Keep(ask) => self.keeper.ask(ask),
             Effect::SetLanguage(language) => host::set_language(language.code()),
             Effect::Share(text) => address::share(text, self.act.clone()),
             Effect::Copy(text) => {
@@ -109,6 +105,14 @@ impl Effects {
             Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
         }
         Ok(())
+    }
+
+    /// Gets a file beside the page, and tells the page of its text.
+    fn fetch(&self, name: String, told: fn(Result<String, String>) -> Action) {
+        let act = self.act.clone();
+        spawn_local(async move {
+            act.emit(told(fetch(&name).await.map_err(|error| host::words(&error))));
+        });
     }
 
     const fn engine(&mut self, program: Program) -> &mut Option<Engine> {
@@ -191,22 +195,4 @@ fn own_program() -> Result<JsValue, JsValue> {
     js_sys::Reflect::set(&sent, &"script".into(), &script.into())?;
     js_sys::Reflect::set(&sent, &"program".into(), &wasm_bindgen::module())?;
     Ok(sent.into())
-}
-
-/// An address for a text, or for bytes, of a type.
-fn object_url(content: JsValue, kind: &str) -> Result<String, JsValue> {
-    let options = BlobPropertyBag::new();
-    options.set_type(kind);
-    let parts = js_sys::Array::of1(&content);
-    Url::create_object_url_with_blob(&Blob::new_with_str_sequence_and_options(&parts, &options)?)
-}
-
-fn save(name: &str, content: JsValue) -> Result<(), JsValue> {
-    let url = object_url(content, "text/plain;charset=utf-8")?;
-    let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
-    let link: HtmlAnchorElement = document.create_element("a")?.unchecked_into();
-    link.set_href(&url);
-    link.set_download(name);
-    link.click();
-    Url::revoke_object_url(&url)
 }

@@ -37,6 +37,7 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
             <nav aria-label={text.views}>
                 { link(View::Talk, text.talk, "#talk", "view-talk") }
                 { link(View::Train, text.train, "#train", "view-train") }
+                { link(View::Help, text.help, "#help", "view-help") }
             </nav>
             <div class="tools">
                 if *view == View::Talk {

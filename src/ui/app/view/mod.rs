@@ -2,6 +2,8 @@
 
 mod masthead;
 mod stopped;
+mod kept;
+mod keys;
 mod address;
 mod effects;
 mod root;

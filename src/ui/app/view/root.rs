@@ -2,15 +2,20 @@
 
 use super::address;
 use super::effects::Effects;
+use super::kept::kept as session;
+use super::keys;
 use super::masthead::masthead;
 use super::stopped::stopped;
 use crate::ui::app::action::{Action, View};
 use crate::ui::app::state::State;
 use crate::ui::app::update::reduce;
 use crate::ui::app::words::Text;
+use crate::ui::help::view::help;
+use crate::ui::kept::view::kept;
 use crate::ui::page::language::Language;
 use crate::ui::page::view::{files, host};
-use crate::ui::talk::view::talk;
+use crate::ui::page::words::Text as Common;
+use crate::ui::talk::view::talk as conversation;
 use crate::ui::train::view::workbench;
 use web_sys::DragEvent;
 use yew::{Callback, Component, Context, Html, classes, html};
@@ -52,6 +57,8 @@ impl Component for App {
         host::watch_preferences(&act.reform(Action::Prefers));
         act.emit(Action::Opened(Language::of(&host::language()).unwrap_or_default()));
         address::watch(&act);
+        keys::watch(&act);
+        host::watch_hidden(&act.reform(|()| Action::Hidden));
         App { state: State::default(), effects: Effects::new(act), dragging: false }
     }
 
@@ -83,7 +90,7 @@ impl Component for App {
                 files::read_all(event.data_transfer().and_then(|d| d.files()), &act);
             })
         };
-        let State { shared, view, talk: talking, train } = &self.state;
+        let State { shared, view, talk: talking, train, help: guide } = &self.state;
         let text = Text::of(shared.language);
         html! {
                 <div class={classes!("page", self.dragging.then_some("dragging"))} data-drop={text.drop_here}
@@ -92,12 +99,15 @@ impl Component for App {
                     { masthead(&self.state, &act) }
                     { stopped(shared.language, &shared.talker, &act) }
                     { stopped(shared.language, &shared.learner, &act) }
+                    { session(shared, &act) }
                     { match view {
-                        View::Talk => talk(talking, shared, &act.reform(Action::Talk)),
+                        View::Talk => conversation(talking, shared, &act.reform(Action::Talk)),
+                        View::Kept => kept(shared, &act.reform(Action::Offered)),
+                        View::Help => help(guide, talking.shown(shared)),
                         View::Train => workbench(train, shared, &act.reform(Action::Train)),
                     } }
                     <footer class="foot">
-                        <p>{ text.stays_here }</p>
+                        <p>{ text.stays_here }{" "}<a href="#kept" data-testid="view-kept">{ Common::of(shared.language).what_is_kept }</a></p>
                     </footer>
                     <p class="unseen" role="status" aria-live="polite" data-testid="announcement">
                         { &shared.announcement }

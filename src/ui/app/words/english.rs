@@ -14,6 +14,7 @@ pub(super) static ENGLISH: Text = Text {
     views: "Views",
     talk: "Talk",
     train: "Train",
+    help: "Help",
     skip: "Skip to the command",
     language: "Language",
     depth: "How deep to look",

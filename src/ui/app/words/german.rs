@@ -14,6 +14,7 @@ pub(super) static GERMAN: Text = Text {
     views: "Ansichten",
     talk: "Sprechen",
     train: "Trainieren",
+    help: "Hilfe",
     skip: "Zum Befehl",
     language: "Sprache",
     depth: "Wie tief man hineinsieht",

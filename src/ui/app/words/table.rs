@@ -11,6 +11,7 @@ pub struct Text {
     pub views: &'static str,
     pub talk: &'static str,
     pub train: &'static str,
+    pub help: &'static str,
     pub skip: &'static str,
     pub language: &'static str,
     pub depth: &'static str,

@@ -103,6 +103,10 @@ impl Phrases for English {
         }
     }
 
+    fn stands(&self, what: &str, spot: Spot) -> String {
+        format!("{what} is {}.", self.spot(spot))
+    }
+
     fn coordinates(&self, (x, y): Place) -> String {
         format!("column {x}, row {y}")
     }

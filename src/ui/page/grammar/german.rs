@@ -118,6 +118,10 @@ impl Phrases for German {
         }
     }
 
+    fn stands(&self, what: &str, spot: Spot) -> String {
+        format!("{what} ist {}.", self.spot(spot))
+    }
+
     fn coordinates(&self, (x, y): Place) -> String {
         format!("Spalte {x}, Zeile {y}")
     }

@@ -12,4 +12,4 @@ mod german_deeds;
 
 pub use english::English;
 pub use german::German;
-pub use phrases::{Phrases, room_at};
+pub use phrases::{Phrases, capitalised, room_at, spot};

@@ -46,6 +46,8 @@ pub trait Phrases {
     fn size(&self, size: Size) -> &'static str;
     /// A spot: "in the red room".
     fn spot(&self, spot: Spot) -> String;
+    /// Where something stands: "The block is in the red room."
+    fn stands(&self, what: &str, spot: Spot) -> String;
     /// "column 3, row 4".
     fn coordinates(&self, cell: Place) -> String;
     /// Where the robot is: "The robot is in the red room, facing north."
@@ -123,7 +125,7 @@ pub trait Phrases {
 }
 
 /// What kind of place a cell is.
-pub(super) fn spot(state: &State, (x, y): Place) -> Spot {
+pub fn spot(state: &State, (x, y): Place) -> Spot {
     match cell_at(&state.rooms, &state.doors, x, y) {
         Cell::Door(index) => {
             Spot::Door(state.doors.get(index).map_or(Lock::Unlocked, |door| door.lock))
@@ -147,7 +149,7 @@ pub fn room_at(state: &State, cell: Place) -> Option<Color> {
 
 /// Words with a capital at their head. Knows the letters of these languages: the tables for all letters there are would
 /// be as large as a view.
-pub(super) fn capitalised(words: &str) -> String {
+pub fn capitalised(words: &str) -> String {
     let mut letters = words.chars();
     let first = letters.next().map(|letter| match letter {
         'ä' => 'Ä',

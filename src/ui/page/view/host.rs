@@ -64,6 +64,29 @@ pub(crate) async fn copy(text: &str) -> bool {
     JsFuture::from(window.navigator().clipboard().write_text(text)).await.is_ok()
 }
 
+/// Goes to a view, by what names it in the address: the browser can go back from it.
+pub(crate) fn go(view: &str) {
+    if let Some(window) = web_sys::window() {
+        // An address that cannot be changed leaves one where one is.
+        let _ = window.location().set_hash(view);
+    }
+}
+
+/// Calls back whenever the page is no more to be seen, as long as it lives: it may be closed then.
+pub(crate) fn watch_hidden(hidden: &Callback<()>) {
+    let Some(document) = web_sys::window().and_then(|w| w.document()) else { return };
+    let (hidden, page) = (hidden.clone(), document.clone());
+    let changed = Closure::<dyn FnMut()>::new(move || {
+        if page.hidden() {
+            hidden.emit(());
+        }
+    });
+    // Its own property would have to be named by a feature of the bindings that nothing else here needs.
+    let _ = document
+        .add_event_listener_with_callback("visibilitychange", changed.as_ref().unchecked_ref());
+    changed.forget();
+}
+
 /// What a thrown value says, for a person.
 pub(crate) fn words(error: &JsValue) -> String {
     let message = error.dyn_ref::<js_sys::Error>().map(|e| String::from(e.message()));
@@ -113,9 +136,9 @@ pub(crate) fn next_frame(callback: impl FnOnce() + 'static) {
 }
 
 /// Calls back at the first key or touch.
-pub(crate) fn once_touched(touched: impl Fn() + 'static) {
+pub(crate) fn once_touched(touched: Callback<()>) {
     let Some(window) = web_sys::window() else { return };
-    let listener: Closure<dyn FnMut()> = Closure::new(touched);
+    let listener: Closure<dyn FnMut()> = Closure::new(move || touched.emit(()));
     let options = AddEventListenerOptions::new();
     options.set_capture(true);
     options.set_once(true);

@@ -9,3 +9,7 @@ pub mod select;
 pub mod notice;
 pub mod sketch;
 pub mod picture;
+pub mod store;
+pub mod claim;
+pub mod keeper;
+pub mod save;

@@ -1,5 +1,7 @@
 //! What a language has to have a word for wherever one is on the page.
 
+use crate::ui::page::keep::fault::Fault;
+
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
 pub struct Text {
@@ -15,6 +17,17 @@ pub struct Text {
     pub engine_starting: &'static str,
     pub engine_silent: &'static str,
     pub other_version: &'static str,
+
+    // What is kept.
+    pub fault: fn(&Fault) -> String,
+    pub origins: [&'static str; 5],
+    pub afresh: &'static str,
+    pub begun_afresh: &'static str,
+    pub go_back: &'static str,
+    pub keep_here: &'static str,
+    pub what_is_kept: &'static str,
+    pub open_saved: &'static str,
+    pub close: &'static str,
 
     // The model.
     pub no_model: fn(&str) -> String,

@@ -7,6 +7,7 @@ use crate::domain::State as World;
 use crate::ui::page::document::Said;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::shared::Shared;
+use crate::ui::talk::past::lines;
 use crate::ui::talk::state::State;
 use crate::ui::talk::watch::playback::Playback;
 use crate::ui::talk::watch::values;
@@ -38,6 +39,8 @@ pub(crate) fn answered(state: &mut State, shared: &mut Shared, mut answer: Answe
     } else {
         planned(state, shared);
     }
+    // What a session comes back with was said before.
+    lines::note(state, shared, !state.resume.is_quiet);
     study::look_closer(state, shared);
 }
 
@@ -53,6 +56,7 @@ pub(crate) fn replanned(state: &mut State, shared: &mut Shared, plan: PlanText) 
     if let Some(said) = &mut shared.document.said {
         said.plan = Some(Rc::new(plan));
         planned(state, shared);
+        lines::note(state, shared, false);
     }
 }
 
@@ -98,8 +102,13 @@ fn play(state: &mut State, shared: &mut Shared) {
     let playback = plan.and_then(|plan| Playback::begin(plan));
     state.watch.end(work, shared.clock);
     state.watch.playback = playback;
-    if let Some(last) = state.watch.playback.as_ref().and_then(Playback::last) {
+    let Some(playback) = &mut state.watch.playback else { return };
+    if let Some(last) = playback.last() {
         shared.document.world = last.clone();
-        shared.want(state.watch.tick());
+        if state.resume.is_quiet {
+            playback.seek(playback.steps());
+        } else {
+            shared.want(state.watch.tick());
+        }
     }
 }

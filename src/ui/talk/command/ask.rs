@@ -1,5 +1,6 @@
 //! Asking: a command is read while it is typed, sent to be answered, and may be meant in another way.
 
+use super::query::query;
 use super::state::MOST_CHARACTERS;
 use crate::domain::State as World;
 use crate::ui::page::effect::Effect;
@@ -7,6 +8,7 @@ use crate::ui::page::engine::Health;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
+use crate::ui::talk::teach::other::in_other_words;
 use crate::worker::protocol::{Request, WorldRules};
 
 /// Whether a command is being answered, or planned for.
@@ -33,7 +35,12 @@ pub(crate) fn read(state: &mut State, shared: &mut Shared) {
     shared.talker.retain(|request| !is_read(request));
     let command = state.command.input.clone();
     let said = shared.document.said.as_ref();
-    if command.trim().is_empty() || said.is_some_and(|said| said.answer.command == command) {
+    state.command.reply = None;
+    let is_none = query(&command).is_some() || in_other_words(&command).is_some();
+    if is_none
+        || command.trim().is_empty()
+        || said.is_some_and(|said| said.answer.command == command)
+    {
         state.command.live = None;
     } else if shared.document.model.is_some() && shared.talker.health == Health::Ready {
         let world = state.shown(shared).clone();

@@ -3,6 +3,8 @@
 pub mod link;
 pub mod state;
 pub mod offer;
+pub mod query;
+pub mod wonder;
 pub mod ask;
 pub mod examples;
 pub mod study;

@@ -1,6 +1,8 @@
 //! What is said: what stands in the command box, what it would mean, and what is looked at of it.
 
 use super::link::Link;
+use super::query::Query;
+use crate::ui::page::place::Place;
 use crate::worker::protocol::{Answer, Study};
 use std::rc::Rc;
 
@@ -17,6 +19,10 @@ pub struct Command {
     pub input: String,
     /// What it would mean, while it is typed.
     pub live: Option<Rc<Answer>>,
+    /// The question that is looked up, with the command whose phrase it is about.
+    pub query: Option<(Query, String)>,
+    /// The answer to a question.
+    pub reply: Option<Reply>,
     /// Why the last command was not answered at all.
     pub notice: Option<String>,
     /// The words that are pointed at.
@@ -31,6 +37,15 @@ pub struct Command {
     pub node: Option<usize>,
     /// How many steps of its reduction are shown.
     pub steps: usize,
+}
+
+/// The answer to a question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reply {
+    /// The answer.
+    pub words: String,
+    /// The cells that it is about.
+    pub cells: Vec<Place>,
 }
 
 impl Command {

@@ -1,5 +1,5 @@
 //! What the page does by itself for who has just come: one command is typed, letter by letter, sent, and done. It ends
-//! at the first key or touch, and is not begun for who prefers less motion, opened a link, or did something already.
+//! at the first key or touch, and is not begun for who prefers less motion, opened a link, did something already, or comes back to a session.
 
 use super::state::Demo;
 use crate::ui::page::effect::{Effect, Timer};
@@ -22,10 +22,11 @@ pub(crate) fn want(state: &mut State, shared: &mut Shared) {
 
 /// A command can be sent, perhaps.
 pub fn begin(state: &mut State, shared: &mut Shared) {
-    if state.demo != Demo::Wanted || !shared.can_ask() {
+    if state.demo != Demo::Wanted || !shared.can_ask() || !shared.keep.is_read() {
         return;
     }
     let is_fresh = shared.document.said.is_none()
+        && shared.keep.origin.is_none()
         && state.command.input.is_empty()
         && shared.document.preset == Some(0)
         && shared.document.lessons.is_empty();

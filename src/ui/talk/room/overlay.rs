@@ -54,6 +54,10 @@ fn watched(state: &State, shared: &Shared, mut options: Options) -> Options {
     if let (Some(Held::Item(what, at)), Some(target)) = (state.room.held, state.room.hover) {
         options.ghost = Some(ghost(state.shown(shared), what, at, target));
     }
+    if let Some(reply) = &state.command.reply {
+        options.highlight.clone_from(&reply.cells);
+        return options;
+    }
     let Some(reading) = state.heard_reading(shared) else { return options };
     options.highlight = state.command.link.map(|own| link::cells(reading, own)).unwrap_or_default();
     let failed = reading.phrases.iter().filter(|phrase| !phrase.referents.is_empty());

@@ -1,16 +1,22 @@
 //! A session goes out as a link or a file, and comes in: its world at once, its lessons and its command as soon as there
 //! is a model for them.
 
+use super::also::Also;
 use super::session::Session;
 use super::state::{Link, Resume, Sharing};
 use crate::ui::page::coming::Resource;
+use crate::ui::page::document::{Draft, Origin};
 use crate::ui::page::effect::Effect;
+use crate::ui::page::keep::state::short;
+use crate::ui::page::language::Language;
 use crate::ui::page::model;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::ask;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn;
 use crate::ui::talk::words::Text;
+use crate::worker::protocol::{PairText, Request};
+use std::rc::Rc;
 
 /// Has a link made.
 pub(crate) fn share(shared: &mut Shared) {
@@ -32,6 +38,9 @@ pub(crate) fn made(state: &mut State, shared: &mut Shared, made: Result<Link, St
         Ok(_) => shared.say(text.link_made),
         Err(why) => shared.say(why.clone()),
     }
+    if let Ok(Link { address, .. }) = &made {
+        shared.keep.made = address.split_once('#').map(|(_, link)| short(link));
+    }
     state.sharing.made = Some(made);
 }
 
@@ -49,7 +58,7 @@ pub(crate) fn opened(state: &mut State, shared: &mut Shared, text: Result<String
 }
 
 fn open(state: &mut State, shared: &mut Shared, session: Session) {
-    let Session { world, rules, command, form, depth, lessons, model, .. } = session;
+    let Session { world, rules, command, form, depth, lessons, model, also, .. } = session;
     state.settle(shared);
     shared.record();
     state.watch.forget();
@@ -58,11 +67,39 @@ fn open(state: &mut State, shared: &mut Shared, session: Session) {
     shared.depth = depth;
     state.sharing = Sharing::default();
     state.command.input = command.clone().unwrap_or_default();
-    state.resume = Resume { lessons: (!lessons.is_empty()).then_some(lessons), command, form };
+    let (lessons, is_quiet) = ((!lessons.is_empty()).then_some(lessons), also.is_some());
+    state.resume = Resume { lessons, command, form, is_quiet, input: None, trained: None };
+    if let Some(also) = also.as_deref().and_then(Also::unpack) {
+        restore(state, shared, also);
+    }
     match model {
-        Some(text) => model::open_file(shared, text),
+        Some(text) => {
+            model::open_file(shared, text);
+            if let Some(corpus) = state.resume.trained.take() {
+                shared.opening = Origin::Trained(corpus);
+            }
+        }
         None => resume(state, shared),
     }
+}
+
+/// What only this machine kept comes back, too.
+fn restore(state: &mut State, shared: &mut Shared, also: Also) {
+    let Also { preset, origin, draft, lesson, input, lines, language, made, trained } = also;
+    let document = &mut shared.document;
+    document.preset = preset;
+    document.origin = Rc::new(origin);
+    document.draft = draft.map(|PairText { pre, post }| Draft { before: pre, after: post });
+    state.teach.words = lesson;
+    state.past.lines = lines;
+    state.command.input.clone_from(&input);
+    state.resume.input = Some(input);
+    if let Some(language) = Language::of(&language) {
+        shared.language = language;
+        shared.want(Effect::SetLanguage(language));
+    }
+    shared.keep.made = made;
+    state.resume.trained = trained;
 }
 
 /// Goes on with a session that was opened, as far as there is a model for it.
@@ -75,5 +112,16 @@ pub(crate) fn resume(state: &mut State, shared: &mut Shared) {
         learn::learn(state, shared, lessons);
     } else if let Some(command) = state.resume.command.take() {
         ask::ask_for(state, shared, command);
+        if let Some(input) = state.resume.input.take() {
+            state.command.input = input;
+        }
     }
+}
+
+/// Whether nothing of a session that was opened waits for a model.
+pub fn is_settled(state: &State, shared: &Shared) -> bool {
+    let Resume { lessons, command, .. } = &state.resume;
+    let opens = |request: &Request| matches!(request, Request::OpenModel { .. });
+    let waits = lessons.is_some() || command.is_some() || shared.talker.is_at(opens);
+    !waits && shared.document.base.is_some() && !learn::is_teaching(shared)
 }

@@ -6,7 +6,7 @@ use crate::ui::page::document::{Document, Origin, Said};
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::state::MOST_CHARACTERS;
-use crate::worker::protocol::{Lesson, MOST_TAUGHT, WorldRules};
+use crate::worker::protocol::{Lesson, MOST_TAUGHT, Meaning, WorldRules};
 use serde::{Deserialize, Serialize};
 
 /// The format's version.
@@ -42,6 +42,9 @@ pub struct Session {
     /// The model, unless it is the one that comes with the page: files only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
+    /// What only this machine keeps besides ([`Also`](super::also::Also)), packed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub also: Option<String>,
 }
 
 /// Why a text is no session.
@@ -85,6 +88,7 @@ impl Session {
             depth: shared.depth,
             lessons: shared.document.taught(),
             model: own.filter(|_| whole).map(|model| model.report.model.clone()),
+            also: None,
         }
     }
 
@@ -121,9 +125,11 @@ impl Session {
             return Err(SessionError::Lessons(self.lessons.len()));
         }
         let is_long = |text: &String| text.chars().count() > MOST_CHARACTERS;
-        for (number, Lesson { command, pairs }) in (1..).zip(&self.lessons) {
+        for (number, Lesson { command, pairs, means }) in (1..).zip(&self.lessons) {
             let legal = pairs.iter().all(|p| p.pre.check().is_ok() && p.post.check().is_ok());
-            if !(1..=MOST_PAIRS).contains(&pairs.len()) || !legal || is_long(command) {
+            let fewest = usize::from(means.is_none());
+            let is_long = is_long(command) || means.as_ref().is_some_and(is_long_meaning);
+            if !(fewest..=MOST_PAIRS).contains(&pairs.len()) || !legal || is_long {
                 return Err(SessionError::Lesson(number));
             }
         }
@@ -132,4 +138,10 @@ impl Session {
         }
         Ok(())
     }
+}
+
+/// Whether a meaning is longer than any that a command has.
+fn is_long_meaning(means: &Meaning) -> bool {
+    let (Meaning::Form(text) | Meaning::Words(text)) = means;
+    text.len() > 4 * MOST_CHARACTERS
 }

@@ -1,8 +1,8 @@
 //! What is shown and said becomes a lesson. The model is always the one before any lesson, taught all of them in
 //! their order: the same lessons give the same model, whichever way one came to them.
 
-use super::state::{Missing, Teach};
-use crate::ui::page::document::{Draft, Model, Taught};
+use super::state::{Missing, Offer, Teach};
+use crate::ui::page::document::{Draft, Model, Said, Taught};
 use crate::ui::page::effect::Effect;
 use crate::ui::page::model;
 use crate::ui::page::shared::Shared;
@@ -10,7 +10,7 @@ use crate::ui::talk::command::state::MOST_CHARACTERS;
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::{Lesson, Request, TeachReport};
+use crate::worker::protocol::{Fit, Lesson, Meaning, PairText, Request, TeachReport};
 use serde::Serialize;
 use std::rc::Rc;
 
@@ -47,28 +47,49 @@ pub(crate) fn teach(state: &mut State, shared: &mut Shared) {
         return shared.say(Text::of(shared.language).missing(missing));
     }
     let Some(draft) = draft else { return };
+    let lesson = draft.lesson(state.teach.words.trim().to_owned());
+    learn_besides(state, shared, lesson);
+}
+
+/// Teaches the reading of a lesson that the person chose, by its place among those offered.
+pub(crate) fn mean(state: &mut State, shared: &mut Shared, place: usize) {
+    let Some(Offer { lesson, fits }) = &state.teach.offer else { return };
+    let Some(Fit { form, .. }) = fits.get(place) else { return };
+    let lesson = Lesson { means: Some(Meaning::Form(form.clone())), ..lesson.clone() };
+    learn_besides(state, shared, lesson);
+}
+
+/// Teaches a lesson besides those there are; a meaning that was given takes the place of one given before.
+pub(crate) fn learn_besides(state: &mut State, shared: &mut Shared, lesson: Lesson) {
     let mut all = shared.document.taught();
-    all.push(draft.lesson(state.teach.words.trim().to_owned()));
+    if lesson.means.is_some() {
+        all.retain(|known| known.means.is_none() || known.command != lesson.command);
+    }
+    all.push(lesson);
     learn(state, shared, all);
 }
 
 /// The command that the person answered a question about, as a lesson: from where it was said to where its plan ends.
 /// Nothing where the plan changes nothing, or that was learned already.
 pub fn answered(shared: &Shared) -> Option<Lesson> {
-    let said = shared.document.said.as_ref().filter(|said| !said.answer.asks.is_empty())?;
+    let was_chosen = |said: &&Said| said.chosen > 0 || !said.answer.asks.is_empty();
+    let said = shared.document.said.as_ref().filter(was_chosen)?;
+    let form = said.answer.readings.get(said.chosen)?.form.clone();
     let plan = said.plan.as_ref().filter(|plan| plan.reached && !plan.actions.is_empty())?;
     let draft = Draft { before: (*said.world).clone(), after: plan.states.last()?.clone() };
     let lesson = draft.lesson(said.answer.command.trim().to_owned());
+    let lesson = Lesson { means: Some(Meaning::Form(form)), ..lesson };
     let mut lessons = shared.document.lessons.iter();
-    lessons.all(|known| known.lesson.command != lesson.command).then_some(lesson)
+    let is_same = |known: &Taught| {
+        known.lesson.command == lesson.command && known.lesson.means == lesson.means
+    };
+    lessons.all(|known| !is_same(known)).then_some(lesson)
 }
 
 /// Keeps that as a lesson.
 pub(crate) fn remember(state: &mut State, shared: &mut Shared) {
     if let Some(lesson) = answered(shared) {
-        let mut all = shared.document.taught();
-        all.push(lesson);
-        learn(state, shared, all);
+        learn_besides(state, shared, lesson);
     }
 }
 
@@ -90,7 +111,7 @@ pub(crate) fn learn_again(state: &mut State, shared: &mut Shared) {
 /// Teaches the model before any lesson exactly these.
 pub(crate) fn learn(state: &mut State, shared: &mut Shared, lessons: Vec<Lesson>) {
     let Some(base) = &shared.document.base else { return };
-    (state.teach.notice, state.teach.report) = (None, None);
+    (state.teach.notice, state.teach.report, state.teach.offer) = (None, None, None);
     if lessons.is_empty() {
         let base = base.clone();
         shared.record();
@@ -110,14 +131,22 @@ pub(crate) fn taught(
     report: TeachReport,
 ) {
     let Some(base) = &shared.document.base else { return };
-    let is_new = lessons.len() > shared.document.lessons.len();
+    let Some(newest) = lessons.last().cloned() else { return };
+    let is_new = shared.document.lessons.iter().all(|known| known.lesson != newest);
     let understood = report.understood.last().copied().unwrap_or(false);
-    let last = lessons.last().map(|lesson| lesson.command.clone()).unwrap_or_default();
+    let last = newest.command.clone();
     let text = Text::of(shared.language);
-    if is_new && !understood {
-        let words = (text.not_learned)(&last);
+    let fits = report.check.as_ref().map_or(&[][..], |check| &check.fits);
+    if is_new && (!understood || !fits.is_empty()) {
+        let words = match &report.refusal {
+            Some(refusal) => (text.refused)(&last, refusal),
+            None if fits.is_empty() => (text.not_learned)(&last),
+            None => text.otherwise.to_owned(),
+        };
         shared.say(words.clone());
         state.teach.notice = Some(words);
+        let fits = fits.to_vec();
+        state.teach.offer = (!fits.is_empty()).then_some(Offer { lesson: newest, fits });
         return;
     }
     let model = Model { report: Rc::new(report.model.clone()), origin: base.origin.clone() };
@@ -132,7 +161,7 @@ pub(crate) fn taught(
         state.room.mode = Mode::Watch;
         state.command.input.clone_from(&last);
         state.teach =
-            Teach { report: Some(Rc::new(report)), taught: Some(last), ..Teach::default() };
+            Teach { report: Some(Rc::new(report)), taught: Some(newest), ..Teach::default() };
         shared.say(text.learned);
     }
     model::go_on_with(shared, model);
@@ -148,17 +177,19 @@ pub(crate) fn refused(state: &mut State, message: String) {
 #[derive(Serialize)]
 struct Row<'a> {
     id: String,
-    #[serde(flatten)]
-    lesson: &'a Lesson,
+    command: &'a str,
+    pairs: &'a [PairText],
 }
 
-/// Saves the lessons as a corpus, which the page and the command line open.
+/// Saves the lessons as a corpus, which the page and the command line open: those that were shown.
 pub(crate) fn save(shared: &mut Shared) {
     let row = |(place, taught): (usize, &Taught)| {
-        let row = Row { id: format!("taught-{}", place + 1), lesson: &taught.lesson };
+        let Lesson { command, pairs, .. } = &taught.lesson;
+        let row = Row { id: format!("taught-{}", place + 1), command, pairs };
         // Strings and numbers only: JSON can hold them all.
         serde_json::to_string(&row).map(|row| row + "\n").unwrap_or_default()
     };
-    let text = shared.document.lessons.iter().enumerate().map(row).collect();
+    let shown = shared.document.lessons.iter().filter(|taught| !taught.lesson.pairs.is_empty());
+    let text = shown.enumerate().map(row).collect();
     shared.want(Effect::Save { name: "taught.jsonl".to_owned(), text });
 }

@@ -1,4 +1,5 @@
 //! Teaching: what is shown and said becomes a lesson.
 
 pub mod state;
+pub mod other;
 pub mod learn;

@@ -1,6 +1,6 @@
 //! The state of teaching: the lesson in preparation, and what came of the last one.
 
-use crate::worker::protocol::TeachReport;
+use crate::worker::protocol::{Fit, Lesson, TeachReport};
 use std::rc::Rc;
 
 /// What is taught, but for the demonstration and the lessons, which are in the document.
@@ -10,12 +10,23 @@ pub struct Teach {
     pub words: String,
     /// What the last lesson added.
     pub report: Option<Rc<TeachReport>>,
-    /// The command that was taught last.
-    pub taught: Option<String>,
+    /// The lesson that was taught last.
+    pub taught: Option<Lesson>,
     /// Why the last lesson was not learned.
     pub notice: Option<String>,
+    /// A lesson that would end otherwise than it was shown, and the readings that fit it.
+    pub offer: Option<Offer>,
     /// What the lesson lacks, once it was to be taught without.
     pub missing: Option<Missing>,
+}
+
+/// A lesson whose command can be read as what was shown, though not at first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Offer {
+    /// The lesson.
+    pub lesson: Lesson,
+    /// The readings that account for all that was shown.
+    pub fits: Vec<Fit>,
 }
 
 /// What a lesson still lacks.

@@ -1,10 +1,10 @@
 //! What a command was taken to mean: its words, the goal in plain words, and why nothing came of it, with help.
 
 use super::choices::choices;
+use super::teach::not_taught;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
-use crate::ui::page::view::notice::notice;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::ask::question;
 use crate::ui::talk::command::link::{Link, holds};
@@ -20,8 +20,20 @@ use yew::{Callback, Html, classes, html};
 /// The answer to the command.
 pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
+    if let Some(reply) = &state.command.reply {
+        return html! {
+            <div class="answer" data-testid="answer" data-live="false">
+                <p class="understood"><strong data-testid="reply">{ &reply.words }</strong></p>
+            </div>
+        };
+    }
     let Some(answer) = state.heard(shared) else {
-        return html! { <p class="answer hello">{ text.hello }</p> };
+        return html! {
+            <div class="answer">
+                <p class="hello">{ text.hello }</p>
+                if state.room.mode == Mode::Watch { { not_taught(state, shared, act) } }
+            </div>
+        };
     };
     let words = &answer.words;
     // Whether this is of a command that is being typed.
@@ -54,7 +66,7 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                 <button type="button" class="quiet remember" data-testid="remember" disabled={is_teaching(shared)}
                     onclick={act.reform(|_| Action::Remember)}>{ text.remember }</button>
             }
-            if state.room.mode == Mode::Watch { { notice(state.teach.notice.as_deref(), "teach-notice") } }
+            if state.room.mode == Mode::Watch { { not_taught(state, shared, act) } }
         </div>
     }
 }
@@ -123,6 +135,9 @@ fn tell(text: &Text, message: &Message, words: &[Word], act: &Callback<Action>) 
             if !message.helps.is_empty() {
                 <p class="buttons">
                     { for message.helps.iter().map(|help| {
+                        if *help == Help::Guide {
+                            return html! { <a class="quiet" href="#help" data-testid="help" data-help="guide">{ text.help(help, words) }</a> };
+                        }
                         let done = help.clone();
                         html! {
                             <button type="button" class="quiet" data-testid="help" data-help={kind(help)}
@@ -151,5 +166,6 @@ const fn kind(help: &Help) -> &'static str {
         Help::Unlock => "unlock",
         Help::NoChance => "no-chance",
         Help::OtherWorld => "other-world",
+        Help::Guide => "guide",
     }
 }

@@ -8,7 +8,7 @@ use crate::ui::talk::command::offer::{Examples, KINDS};
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
 use web_sys::{HtmlInputElement, SubmitEvent};
-use yew::{Callback, Html, InputEvent, TargetCast, classes, html};
+use yew::{Callback, Html, InputEvent, KeyboardEvent, TargetCast, classes, html};
 
 /// The command box.
 pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
@@ -21,13 +21,27 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
         let input = event.target_dyn_into::<HtmlInputElement>();
         Action::Typed(input.map(|i| i.value()).unwrap_or_default())
     });
+    let recall = {
+        let act = act.clone();
+        Callback::from(move |event: KeyboardEvent| {
+            let back = match event.key().as_str() {
+                "ArrowUp" => true,
+                "ArrowDown" => false,
+                _ => return,
+            };
+            event.prevent_default();
+            act.emit(Action::Recall(back));
+        })
+    };
+    let said =
+        shared.document.said.as_ref().map_or_else(String::new, |said| said.answer.command.clone());
     html! {
         <>
             <form class="say main" onsubmit={send}>
                 <label class="unseen" for="command">{ text.what_to_do }</label>
                 <input id="command" type="text" lang="en" autocomplete="off" autocapitalize="off"
                     spellcheck="false" enterkeyhint="send" data-testid="command" value={state.command.input.clone()}
-                    oninput={typed} aria-describedby="say-hint" placeholder={text.what_to_do} />
+                    data-said={said} oninput={typed} onkeydown={recall} aria-describedby="say-hint" placeholder={text.what_to_do} />
                 if is_asking(shared) {
                     <button type="button" class="primary" data-testid="stop"
                         onclick={act.reform(|_| Action::StopPlanning)}>{ text.stop }</button>

@@ -2,6 +2,7 @@
 
 mod share;
 mod command;
+mod past;
 mod answer;
 mod choices;
 mod room;

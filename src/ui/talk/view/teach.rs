@@ -1,12 +1,14 @@
 //! Teaching: what is shown and said, what it added, and the list of what was taught.
 
 use crate::ui::page::document::Draft;
+use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn::is_teaching;
 use crate::ui::talk::words::Text;
+use crate::worker::protocol::Lesson;
 use web_sys::{HtmlInputElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, TargetCast, html};
 
@@ -46,8 +48,27 @@ pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             if let Some(missing) = teach.missing {
                 <p class="notice" role="alert" data-testid="missing">{ text.missing(missing) }</p>
             }
-            { notice(teach.notice.as_deref(), "teach-notice") }
+            { not_taught(state, shared, act) }
         </div>
+    }
+}
+
+/// What came of the last lesson when it was not learned, with the readings to choose from that fit what was shown.
+pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
+    let fits = state.teach.offer.as_ref().map_or(&[][..], |offer| &offer.fits);
+    html! {
+        <>
+            { notice(state.teach.notice.as_deref(), "teach-notice") }
+            if !fits.is_empty() {
+                <p class="buttons">
+                    { for fits.iter().enumerate().map(|(place, fit)| html! {
+                        <button type="button" class="quiet" data-testid="fit"
+                            onclick={act.reform(move |_| Action::TeachFit(place))}>{ text.phrases.sentence(&fit.claim) }</button>
+                    }) }
+                </p>
+            }
+        </>
     }
 }
 
@@ -83,9 +104,16 @@ pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) ->
                     }
                 }) }
             </ul>
-            if let Some(command) = &teach.taught {
-                <p class="dim" data-testid="learned">{ (text.it_learned)(command, added.len()) }</p>
-                if !added.is_empty() {
+            if let Some(Lesson { command, means, .. }) = &teach.taught {
+                <p class="dim" data-testid="learned">
+                    { if means.is_some() { (text.now_means)(command) } else { (text.it_learned)(command, added.len()) } }
+                </p>
+                <ul class="told">
+                    { for teach.report.iter().flat_map(|report| &report.told).map(|told| html! {
+                        <li data-testid="told">{ text.told(told) }</li>
+                    }) }
+                </ul>
+                if !added.is_empty() && shared.depth == Depth::Study {
                     <div class="scroll" tabindex="0" role="group" aria-label={text.entries}>
                         <table class="entries">
                             <thead><tr><th>{ text.words }</th><th>{ text.category }</th><th>{ text.meaning }</th></tr></thead>

@@ -3,6 +3,7 @@
 
 use super::answer::answer;
 use super::command::{command, examples};
+use super::past::past;
 use super::planner::planner;
 use super::readings::readings;
 use super::room::room;
@@ -36,6 +37,7 @@ pub(crate) fn talk(state: &State, shared: &Shared, act: &Callback<Action>) -> Ht
             </div>
             <div class="column side">
                 { lessons(state, shared, act) }
+                { past(state, shared, act) }
                 if watched {
                     { readings(state, shared, act) }
                     { planner(state, shared, act) }

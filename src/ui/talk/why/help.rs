@@ -29,4 +29,6 @@ pub enum Help {
     NoChance,
     /// Goes to another random world.
     OtherWorld,
+    /// Says what can be understood.
+    Guide,
 }

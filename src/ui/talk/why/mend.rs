@@ -54,6 +54,8 @@ pub(crate) fn mend(state: &mut State, shared: &mut Shared, help: Help) {
             in_another_room(state, shared, unlocked);
         }
         Help::OtherWorld => worlds::draw(state, shared),
+        // It is a link, which the browser follows.
+        Help::Guide => {}
     }
 }
 

@@ -1,6 +1,7 @@
 //! Why a command came to nothing, or to less than it might: what is wrong, what to do about it, and what the page can
 //! do at the press of a button.
 
+use super::beyond::beyond;
 use super::help::Help;
 use crate::domain::{Color, Lock, Shape};
 use crate::ui::page::document::Said;
@@ -40,6 +41,11 @@ pub fn messages(state: &State, shared: &Shared) -> Vec<Message> {
     let mut messages = Vec::new();
     let reading = state.heard_reading(shared);
     messages.extend(taken(text, answer, reading));
+    let beyond = beyond_language(text, answer);
+    if beyond.is_some() && reading.is_none() {
+        return beyond.into_iter().collect();
+    }
+    messages.extend(beyond);
     messages.extend(parsing(text, answer));
     match (answer.reason.as_deref(), reading) {
         (Some("left_out"), reading) => {
@@ -88,6 +94,19 @@ fn parsing(text: &Text, answer: &Answer) -> Option<Message> {
         "budget" => message("budget", why.budget, None, Vec::new()),
         _ => message("other", why.no_parse, None, vec![Help::Teach]),
     })
+}
+
+/// What lies beyond the language of what was not understood, the first of its kinds.
+fn beyond_language(text: &Text, answer: &Answer) -> Option<Message> {
+    let kinds = answer.words.iter().enumerate().filter_map(|(at, word)| {
+        let kind = beyond(&word.text)?;
+        kind.is_lost(word.fate).then_some((at, &*word.text, kind))
+    });
+    let (first, _, kind) = kinds.clone().next()?;
+    let words: Vec<&str> = kinds.filter(|one| one.2 == kind).map(|(_, word, _)| word).collect();
+    let what = (text.beyond)(kind, &words);
+    let link = Some((first, first + 1));
+    Some(message("beyond", (what, text.beyond_fix), link, vec![Help::Guide]))
 }
 
 /// What words were taken for that are none of the lexicon's: other words, and colours.
@@ -153,7 +172,8 @@ fn left_out(text: &Text, answer: &Answer) -> Vec<Message> {
 }
 
 fn with_fate(answer: &Answer, fate: Fate) -> impl Iterator<Item = (usize, &str)> {
-    let words = answer.words.iter().enumerate().filter(move |(_, word)| word.fate == fate);
+    let of_fate = move |word: &Word| word.fate == fate && beyond(&word.text).is_none();
+    let words = answer.words.iter().enumerate().filter(move |(_, word)| of_fate(word));
     words.map(|(place, word)| (place, &*word.text))
 }
 

@@ -1,9 +1,11 @@
 //! The Talk page in English; what each word is for stands here for all languages.
 
-use super::table::{Faults, Helps, Text};
+use super::table::{Faults, Helps, Meant, Text};
 use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::English;
 use crate::ui::talk::room::edit::Obstacle;
+use crate::ui::talk::why::beyond::Beyond;
+use crate::worker::protocol::Refusal;
 
 /// The words.
 pub(super) static ENGLISH: Text = Text {
@@ -126,6 +128,7 @@ pub(super) static ENGLISH: Text = Text {
         unlock: "Open all doors",
         no_chance: "Leave nothing to chance",
         other_world: "Go to another room",
+        guide: "What I understand",
     },
 
     readings: "Readings",
@@ -137,6 +140,41 @@ pub(super) static ENGLISH: Text = Text {
     },
     where_it_holds: "Where the goal would hold",
     phrases_title: "What it is about",
+
+    said_before: "What you said",
+    say_again: "Say it again",
+    go_on: "Go on from here",
+    go_on_after: |command| format!("Go on from here: after “{command}”"),
+    gone_back: |command| format!("The room is as it was after “{command}”."),
+    outcomes: [
+        "It was so already.",
+        "I asked what is meant.",
+        "It cannot be done.",
+        "I did not understand.",
+        "I told you.",
+    ],
+
+    can_do: "I go to rooms, doors and things, and I bring things where you want them: “go to the blue room”, “put the block in the red room”. Press ? for more, with examples.",
+    cannot_tell: "That I cannot tell. I can tell where a thing is, what is in a room, whether a thing is somewhere, and how many there are.",
+    yes_no: ["Yes, it is.", "No, it is not."],
+    beyond: |beyond, words| {
+        let words = quoted(words);
+        match beyond {
+            Beyond::Number => format!("I do not count: {words} is beyond me."),
+            Beyond::Between => {
+                format!("{words}: I know “in” and “next to”, but no place between two things.")
+            }
+            Beyond::Condition => format!("{words}: I do what is to be so, and know no conditions."),
+            Beyond::Direction => {
+                format!("{words}: I go to rooms and things, not by steps and directions.")
+            }
+            Beyond::Manner => {
+                format!("{words}: how, how fast and how often I do a thing is my own affair.")
+            }
+            Beyond::Deed => format!("{words}: I can only go somewhere and bring things somewhere."),
+        }
+    },
+    beyond_fix: "Say what should be so in the end.",
 
     the_room: "The room",
     choose_world: "Choose a room",
@@ -305,9 +343,26 @@ pub(super) static ENGLISH: Text = Text {
     forget: "Forget",
     forget_lesson: |command| format!("Forget “{command}”"),
     it_learned: |command, n| match n {
-        0 => format!("“{command}” needed no new entry: weights changed."),
-        1 => format!("“{command}” added one entry to its lexicon:"),
-        n => format!("“{command}” added {n} entries to its lexicon:"),
+        0 => format!("I know what “{command}” means: I weigh its words otherwise now."),
+        _ => format!("From “{command}” I learned:"),
+    },
+    now_means: |command| format!("From now on I know what you mean by “{command}”."),
+    told: |words, meant| match meant {
+        Meant::Nothing => format!("“{words}” says nothing by itself."),
+        Meant::Like(other) => format!("“{words}” is said like “{other}”."),
+        Meant::This(this) => format!("“{words}” means: {this}"),
+        Meant::Other => format!("“{words}” has a meaning now that there are no plain words for."),
+    },
+    otherwise: "As I read it first, it would end otherwise than you showed. Did you mean this?",
+    refused: |command, refusal| match refusal {
+        Refusal::Closed(word) => {
+            format!("“{word}” keeps its meaning: teach “{command}” without it.")
+        }
+        Refusal::Known => format!("I know what “{command}” means already. Call it something else."),
+        Refusal::Lost => {
+            "I do not understand in just one way what it is to mean. Say that part alone first."
+                .to_owned()
+        }
     },
     words: "Words",
     category: "Category",

@@ -1,9 +1,11 @@
 //! The Talk page in German. Commands stay English: the parser has learned no other.
 
-use super::table::{Faults, Helps, Text};
+use super::table::{Faults, Helps, Meant, Text};
 use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::German;
 use crate::ui::talk::room::edit::Obstacle;
+use crate::ui::talk::why::beyond::Beyond;
+use crate::worker::protocol::Refusal;
 use crate::worker::protocol::Why;
 
 /// The words.
@@ -125,6 +127,7 @@ pub(super) static GERMAN: Text = Text {
         unlock: "Alle Türen öffnen",
         no_chance: "Nichts dem Zufall überlassen",
         other_world: "In einen anderen Raum gehen",
+        guide: "Was ich verstehe",
     },
 
     readings: "Lesarten",
@@ -136,6 +139,45 @@ pub(super) static GERMAN: Text = Text {
     },
     where_it_holds: "Wo das Ziel erreicht wäre",
     phrases_title: "Worum es geht",
+
+    said_before: "Was du gesagt hast",
+    say_again: "Noch einmal sagen",
+    go_on: "Von hier aus weiter",
+    go_on_after: |command| format!("Von hier aus weiter: nach „{command}“"),
+    gone_back: |command| format!("Der Raum ist wie nach „{command}“."),
+    outcomes: [
+        "Es war schon so.",
+        "Ich habe nachgefragt.",
+        "Das geht nicht.",
+        "Ich habe es nicht verstanden.",
+        "Ich habe es gesagt.",
+    ],
+
+    can_do: "Ich gehe zu Räumen, Türen und Dingen und bringe Dinge dahin, wo du sie haben willst: „go to the blue room“, „put the block in the red room“. Mit ? gibt es mehr, mit Beispielen.",
+    cannot_tell: "Das kann ich nicht sagen. Sagen kann ich, wo ein Ding ist, was in einem Raum ist, ob ein Ding irgendwo ist und wie viele es gibt.",
+    yes_no: ["Ja, so ist es.", "Nein, so ist es nicht."],
+    beyond: |beyond, words| {
+        let words = quoted(words);
+        match beyond {
+            Beyond::Number => format!("Ich zähle nicht: {words} kann ich nicht."),
+            Beyond::Between => format!(
+                "{words}: Ich kenne „in“ und „neben“, aber keinen Platz zwischen zwei Dingen."
+            ),
+            Beyond::Condition => {
+                format!("{words}: Ich tue, was so sein soll, und kenne keine Bedingungen.")
+            }
+            Beyond::Direction => format!(
+                "{words}: Ich gehe zu Räumen und Dingen, nicht nach Schritten und Richtungen."
+            ),
+            Beyond::Manner => {
+                format!("{words}: Wie, wie schnell und wie oft ich etwas tue, ist meine Sache.")
+            }
+            Beyond::Deed => {
+                format!("{words}: Ich kann nur irgendwohin gehen und Dinge irgendwohin bringen.")
+            }
+        }
+    },
+    beyond_fix: "Sag, was am Ende so sein soll.",
 
     the_room: "Der Raum",
     choose_world: "Einen Raum wählen",
@@ -336,9 +378,28 @@ pub(super) static GERMAN: Text = Text {
     forget: "Vergessen",
     forget_lesson: |command| format!("„{command}“ vergessen"),
     it_learned: |command, n| match n {
-        0 => format!("„{command}“ brauchte keinen neuen Eintrag: Gewichte änderten sich."),
-        1 => format!("„{command}“ fügte seinem Lexikon einen Eintrag hinzu:"),
-        n => format!("„{command}“ fügte seinem Lexikon {n} Einträge hinzu:"),
+        0 => format!("Ich weiß, was „{command}“ heißt: Ich gewichte die Wörter jetzt anders."),
+        _ => format!("Aus „{command}“ habe ich gelernt:"),
+    },
+    now_means: |command| format!("Ab jetzt weiß ich, was du mit „{command}“ meinst."),
+    told: |words, meant| match meant {
+        Meant::Nothing => format!("„{words}“ sagt für sich allein nichts."),
+        Meant::Like(other) => format!("„{words}“ sagt man wie „{other}“."),
+        Meant::This(this) => format!("„{words}“ heißt: {this}"),
+        Meant::Other => {
+            format!("„{words}“ hat jetzt eine Bedeutung, für die es keine einfachen Worte gibt.")
+        }
+    },
+    otherwise: "So, wie ich es zuerst lese, würde es anders enden, als du gezeigt hast. Meintest du das?",
+    refused: |command, refusal| match refusal {
+        Refusal::Closed(word) => {
+            format!("„{word}“ behält seine Bedeutung: Lehre „{command}“ ohne das Wort.")
+        }
+        Refusal::Known => format!("Was „{command}“ heißt, weiß ich schon. Nenn es anders."),
+        Refusal::Lost => {
+            "Was es heißen soll, verstehe ich nicht auf genau eine Weise. Sag erst nur diesen Teil."
+                .to_owned()
+        }
     },
     words: "Wörter",
     category: "Kategorie",

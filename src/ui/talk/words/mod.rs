@@ -6,4 +6,4 @@ mod german;
 mod language;
 mod names;
 
-pub use table::{Faults, Helps, Text};
+pub use table::{Faults, Helps, Meant, Text};

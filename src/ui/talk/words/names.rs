@@ -1,6 +1,6 @@
 //! What the things of the Talk page are called: the words of closed sets, from a language's table.
 
-use super::table::Text;
+use super::table::{Meant, Text};
 use crate::domain::{Size, State as World};
 use crate::render::Thing;
 use crate::ui::page::world::Name;
@@ -10,7 +10,7 @@ use crate::ui::talk::teach::state::Missing;
 use crate::ui::talk::watch::playback::{Playback, Surprise};
 use crate::ui::talk::watch::state::Layer;
 use crate::ui::talk::why::help::Help;
-use crate::worker::protocol::{Claim, Word};
+use crate::worker::protocol::{Claim, Told, What, Word};
 
 impl Text {
     /// What the robot would, could or will do, names between asterisks: "I will go to *the blue room*."
@@ -21,6 +21,25 @@ impl Text {
     /// A goal as it was understood.
     pub fn understood(&self, claim: &Claim) -> String {
         self.intention(self.it_means, claim).replace('*', "")
+    }
+
+    /// What words mean now.
+    pub fn told(&self, Told { words, what }: &Told) -> String {
+        let sentence;
+        let meant = match what {
+            What::Nothing => Meant::Nothing,
+            What::Like(other) => Meant::Like(other),
+            What::Thing(noun) => {
+                sentence = format!("{}.", self.phrases.noun(noun));
+                Meant::This(&sentence)
+            }
+            What::Goal(claim) => {
+                sentence = self.phrases.sentence(claim);
+                Meant::This(&sentence)
+            }
+            What::Other => Meant::Other,
+        };
+        (self.told)(words, meant)
     }
 
     /// A question about so many readings.
@@ -83,6 +102,7 @@ impl Text {
             Help::Unlock => helps.unlock,
             Help::NoChance => helps.no_chance,
             Help::OtherWorld => helps.other_world,
+            Help::Guide => helps.guide,
         };
         fixed.to_owned()
     }

@@ -5,7 +5,8 @@ use crate::ui::page::grammar::Phrases;
 use crate::ui::talk::room::edit::Obstacle;
 use crate::ui::talk::room::state::{Mode, Tool};
 use crate::ui::talk::watch::state::Layer;
-use crate::worker::protocol::{Runs, Why};
+use crate::ui::talk::why::beyond::Beyond;
+use crate::worker::protocol::{Refusal, Runs, Why};
 
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
@@ -61,6 +62,21 @@ pub struct Text {
     pub less_likely: fn(f64, &[&str]) -> String,
     pub where_it_holds: &'static str,
     pub phrases_title: &'static str,
+
+    // What was said.
+    pub said_before: &'static str,
+    pub say_again: &'static str,
+    pub go_on: &'static str,
+    pub go_on_after: fn(&str) -> String,
+    pub gone_back: fn(&str) -> String,
+    pub outcomes: [&'static str; 5],
+
+    // Questions, and what lies beyond the language.
+    pub can_do: &'static str,
+    pub cannot_tell: &'static str,
+    pub yes_no: [&'static str; 2],
+    pub beyond: fn(Beyond, &[&str]) -> String,
+    pub beyond_fix: &'static str,
 
     // The room.
     pub the_room: &'static str,
@@ -168,6 +184,10 @@ pub struct Text {
     pub forget: &'static str,
     pub forget_lesson: fn(&str) -> String,
     pub it_learned: fn(&str, usize) -> String,
+    pub now_means: fn(&str) -> String,
+    pub told: fn(&str, Meant<'_>) -> String,
+    pub otherwise: &'static str,
+    pub refused: fn(&str, &Refusal) -> String,
     pub words: &'static str,
     pub category: &'static str,
     pub meaning: &'static str,
@@ -191,6 +211,15 @@ pub struct Text {
     pub entries: &'static str,
     pub learned_entry: &'static str,
     pub seed_entry: &'static str,
+}
+
+/// What words mean now, said in plain words.
+#[expect(missing_docs, reason = "the English table says what each is")]
+pub enum Meant<'a> {
+    Nothing,
+    Like(&'a str),
+    This(&'a str),
+    Other,
 }
 
 /// What is wrong with a command, and what to do about it.
@@ -232,4 +261,5 @@ pub struct Helps {
     pub unlock: &'static str,
     pub no_chance: &'static str,
     pub other_world: &'static str,
+    pub guide: &'static str,
 }

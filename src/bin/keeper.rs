@@ -1,0 +1,72 @@
+//! The keeper's module: the store of what the page keeps, which the page imports once it is to be seen
+//! (`ui::page::view::keeper`). Its exports are all there is of it. A fault is thrown as its name.
+
+#[cfg(target_arch = "wasm32")]
+mod exports {
+    #![expect(unreachable_pub, reason = "reached from JavaScript")]
+
+    use groundling::ui::kept::view::list;
+    use groundling::ui::page::keep::fault::Fault;
+    use groundling::ui::page::language::Language;
+    use groundling::ui::page::view::claim;
+    use groundling::ui::page::view::store::Store;
+    use js_sys::{Array, Function};
+    use std::rc::Rc;
+    use wasm_bindgen::JsValue;
+    use wasm_bindgen::prelude::wasm_bindgen;
+    use web_sys::HtmlElement;
+
+    /// The store, open.
+    #[wasm_bindgen]
+    pub struct Keeper(Rc<Store>);
+
+    /// Opens the store of this name; `told` is called with the name of a fault that comes later.
+    #[wasm_bindgen]
+    pub async fn open(name: String, told: Function) -> Result<Keeper, JsValue> {
+        let (blocked, gone) = (teller(&told, Fault::Older), teller(&told, Fault::Newer));
+        let store = Store::open(&name, blocked, gone).await.map_err(thrown)?;
+        Ok(Keeper(Rc::new(store)))
+    }
+
+    /// Claims a name for this tab; `told` is called when another tab takes it.
+    #[wasm_bindgen]
+    pub async fn claim(name: String, steal: bool, told: Function) -> bool {
+        claim::claim(&name, steal, teller(&told, Fault::Elsewhere)).await
+    }
+
+    #[wasm_bindgen]
+    impl Keeper {
+        /// Keeps a text.
+        pub async fn write(&self, kind: String, name: String, text: String) -> Result<(), JsValue> {
+            self.0.write(&kind, &name, &text).await.map_err(thrown)
+        }
+
+        /// A text, and whether its newest copy was damaged; nothing when it is not kept.
+        pub async fn read(&self, kind: String, name: String) -> Result<JsValue, JsValue> {
+            let found = self.0.read(&kind, &name).await.map_err(thrown)?;
+            Ok(found.map_or(JsValue::NULL, |(text, damaged)| {
+                Array::of2(&text.into(), &damaged.into()).into()
+            }))
+        }
+
+        /// Draws the list of what is kept into an element, in the language of this code.
+        pub async fn show(&self, into: HtmlElement, language: String) -> Result<(), JsValue> {
+            let language = Language::of(&language).unwrap_or_default();
+            list::show(self.0.clone(), into, language).await.map_err(thrown)
+        }
+    }
+
+    fn teller(told: &Function, fault: Fault) -> impl FnOnce() + 'static {
+        let told = told.clone();
+        move || {
+            // The page listens as long as it lives.
+            let _ = told.call1(&JsValue::NULL, &fault.name().into());
+        }
+    }
+
+    fn thrown(fault: Fault) -> JsValue {
+        fault.name().into()
+    }
+}
+
+fn main() {}

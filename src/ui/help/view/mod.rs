@@ -1,0 +1,5 @@
+//! The guide as Yew draws it; wasm only.
+
+mod page;
+
+pub(crate) use page::help;

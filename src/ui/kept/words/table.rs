@@ -1,0 +1,25 @@
+//! What a language has to have a word for where what is kept is listed.
+
+/// The words of a language.
+#[expect(missing_docs, reason = "the English table says what each is")]
+pub struct Text {
+    pub title: &'static str,
+    pub about: &'static str,
+    pub nothing: &'static str,
+    pub what: &'static str,
+    pub when: &'static str,
+    pub size: &'static str,
+    pub kinds: [(&'static str, &'static str); 4],
+    pub save: &'static str,
+    pub delete: &'static str,
+    pub delete_all: &'static str,
+    pub deleted: &'static str,
+}
+
+impl Text {
+    /// What is kept of a kind under a name.
+    pub fn item(&self, kind: &str, name: &str) -> String {
+        let known = self.kinds.iter().find(|(first, _)| *first == kind || *first == name);
+        known.map_or_else(|| format!("{kind} {name}"), |(_, words)| (*words).to_owned())
+    }
+}

@@ -1,0 +1,189 @@
+//! The store in IndexedDB: an index of copies and their texts, so that what is kept can be listed without being read.
+//! Linked by the program `keeper` alone.
+
+use crate::ui::page::keep::copies::{COPIES, Entry, Item, items, key, newest_first, next};
+use crate::ui::page::keep::fault::Fault;
+use idb::{
+    Database, DatabaseEvent, Error, Factory, ObjectStore, ObjectStoreParams, Transaction,
+    TransactionMode, TransactionResult,
+};
+use js_sys::Date;
+use std::cell::Cell;
+use std::rc::Rc;
+use wasm_bindgen::{JsCast, JsValue};
+use web_sys::DomException;
+
+/// The version of the store's form. It counts from 2, so that there is an older one to be tried with.
+const VERSION: u32 = 2;
+const INDEX: &str = "index";
+const TEXTS: &str = "texts";
+
+/// The store, open.
+pub struct Store(Database);
+
+impl Store {
+    /// Opens the store of this name, making it if there is none. Where a page of an older build holds it, `blocked` is
+    /// called and opening waits; when a newer build wants it, it is given up and `gone` is called.
+    ///
+    /// # Errors
+    /// When there is none to be had, or a newer build made it.
+    pub async fn open(
+        name: &str,
+        blocked: impl FnOnce() + 'static,
+        gone: impl FnOnce() + 'static,
+    ) -> Result<Store, Fault> {
+        let factory = Factory::new().map_err(|_| Fault::None)?;
+        let mut request = factory.open(name, Some(VERSION)).map_err(|_| Fault::None)?;
+        request.on_blocked(|_| blocked());
+        let failed = Rc::new(Cell::new(false));
+        let upgrading = failed.clone();
+        request.on_upgrade_needed(move |event| {
+            let made = event.database().and_then(|database| {
+                let has = database.store_names();
+                for name in [INDEX, TEXTS].into_iter().filter(|name| !has.iter().any(|n| n == name))
+                {
+                    database.create_object_store(name, ObjectStoreParams::new())?;
+                }
+                Ok(())
+            });
+            upgrading.set(made.is_err());
+        });
+        let mut database = request.await.map_err(|error| match fault(&error) {
+            Fault::Other(_) => Fault::None,
+            fault => fault,
+        })?;
+        if failed.get() {
+            return Err(Fault::None);
+        }
+        database.on_version_change(move |event| {
+            // What holds the store is closed, so that the newer build can go on.
+            if let Some(target) = event.target() {
+                let _ = Database::try_from(target).map(|held| held.close());
+            }
+            gone();
+        });
+        Ok(Store(database))
+    }
+
+    /// Keeps a text under a kind and a name.
+    ///
+    /// # Errors
+    /// When there is no room, or the store is gone.
+    pub async fn write(&self, kind: &str, name: &str, text: &str) -> Result<(), Fault> {
+        let (transaction, index, texts) = self.begin(TransactionMode::ReadWrite)?;
+        let (copy, number) = next(&entries(&index, kind, name).await?);
+        let sum = blake3::hash(text.as_bytes()).to_hex().to_string();
+        let (kind, name, bytes, at) = (kind.to_owned(), name.to_owned(), text.len(), Date::now());
+        let place = JsValue::from(key(&kind, &name, copy));
+        let entry = Entry { kind, name, copy, number, bytes, sum, at };
+        // Strings and numbers only: JSON can hold them all.
+        let entry = serde_json::to_string(&entry).unwrap_or_default();
+        texts.put(&text.into(), Some(&place)).map_err(of)?.await.map_err(of)?;
+        index.put(&entry.into(), Some(&place)).map_err(of)?.await.map_err(of)?;
+        end(transaction).await
+    }
+
+    /// The text under a kind and a name, and whether the newest copy of it was damaged.
+    ///
+    /// # Errors
+    /// When every copy is damaged, or the store is gone.
+    pub async fn read(&self, kind: &str, name: &str) -> Result<Option<(String, bool)>, Fault> {
+        let (_, index, texts) = self.begin(TransactionMode::ReadOnly)?;
+        let entries = newest_first(entries(&index, kind, name).await?);
+        let is_kept = !entries.is_empty();
+        for (turn, entry) in entries.into_iter().enumerate() {
+            let place = JsValue::from(key(kind, name, entry.copy));
+            let text = texts.get(place).map_err(of)?.await.map_err(of)?;
+            let text = text.and_then(|text| text.as_string()).unwrap_or_default();
+            if blake3::hash(text.as_bytes()).to_hex().as_str() == entry.sum {
+                return Ok(Some((text, turn > 0)));
+            }
+        }
+        if is_kept { Err(Fault::Damaged) } else { Ok(None) }
+    }
+
+    /// What is kept, the latest first.
+    ///
+    /// # Errors
+    /// When the store is gone.
+    pub async fn list(&self) -> Result<Vec<Item>, Fault> {
+        let (_, index, _) = self.begin(TransactionMode::ReadOnly)?;
+        let all = index.get_all(None, None).map_err(of)?.await.map_err(of)?;
+        Ok(items(all.iter().filter_map(entry).collect()))
+    }
+
+    /// Deletes what is kept under a kind and a name; all of it, if the kind is empty.
+    ///
+    /// # Errors
+    /// When the store is gone.
+    pub async fn delete(&self, kind: &str, name: &str) -> Result<(), Fault> {
+        let (transaction, index, texts) = self.begin(TransactionMode::ReadWrite)?;
+        for store in [index, texts] {
+            if kind.is_empty() {
+                store.clear().map_err(of)?.await.map_err(of)?;
+                continue;
+            }
+            for copy in 0..COPIES {
+                let place = JsValue::from(key(kind, name, copy));
+                store.delete(place).map_err(of)?.await.map_err(of)?;
+            }
+        }
+        end(transaction).await
+    }
+
+    fn begin(
+        &self,
+        mode: TransactionMode,
+    ) -> Result<(Transaction, ObjectStore, ObjectStore), Fault> {
+        let transaction = self.0.transaction(&[INDEX, TEXTS], mode).map_err(of)?;
+        let index = transaction.object_store(INDEX).map_err(of)?;
+        let texts = transaction.object_store(TEXTS).map_err(of)?;
+        Ok((transaction, index, texts))
+    }
+}
+
+/// The copies that there are of a text.
+async fn entries(index: &ObjectStore, kind: &str, name: &str) -> Result<Vec<Entry>, Fault> {
+    let mut entries = Vec::new();
+    for copy in 0..COPIES {
+        let found = index.get(JsValue::from(key(kind, name, copy))).map_err(of)?;
+        entries.extend(found.await.map_err(of)?.as_ref().and_then(entry));
+    }
+    Ok(entries)
+}
+
+fn entry(value: &JsValue) -> Option<Entry> {
+    serde_json::from_str(&value.as_string()?).ok()
+}
+
+/// Waits until everything of a transaction is kept.
+async fn end(transaction: Transaction) -> Result<(), Fault> {
+    match transaction.commit().map_err(of)?.await.map_err(of)? {
+        TransactionResult::Committed => Ok(()),
+        // Nothing here takes a change back: the browser did, which it does for want of room.
+        TransactionResult::Aborted => Err(Fault::Full),
+    }
+}
+
+fn of(error: Error) -> Fault {
+    fault(&error)
+}
+
+/// What an error of the browser means here.
+fn fault(error: &Error) -> Fault {
+    let name = match error {
+        Error::DomException(exception) => exception.name(),
+        Error::AddFailed(value)
+        | Error::IndexedDbOpenFailed(value)
+        | Error::TransactionOpenFailed(value) => {
+            value.dyn_ref::<DomException>().map(DomException::name).unwrap_or_default()
+        }
+        _ => String::new(),
+    };
+    match &*name {
+        "VersionError" => Fault::Newer,
+        "QuotaExceededError" => Fault::Full,
+        "SecurityError" | "InvalidStateError" => Fault::None,
+        _ => Fault::Other(error.to_string()),
+    }
+}

@@ -1,0 +1,30 @@
+//! Notes what is said and what came of it.
+
+use super::state::{Line, MOST_LINES, Outcome};
+use crate::ui::page::shared::Shared;
+use crate::ui::talk::state::State;
+
+/// Notes what was said and what came of it: as another line, or as more of the last one.
+pub(crate) fn note(state: &mut State, shared: &Shared, is_new: bool) {
+    let Some(said) = &shared.document.said else { return };
+    let line = Line {
+        command: said.answer.command.clone(),
+        outcome: Outcome::of(said),
+        world: shared.document.world.clone(),
+    };
+    let lines = &mut state.past.lines;
+    if !is_new && lines.last().is_some_and(|last| last.command == line.command) {
+        lines.pop();
+    }
+    push(state, line);
+}
+
+/// Adds a line.
+pub(crate) fn push(state: &mut State, line: Line) {
+    let lines = &mut state.past.lines;
+    state.past.at = None;
+    if lines.len() == MOST_LINES {
+        lines.remove(0);
+    }
+    lines.push(line);
+}

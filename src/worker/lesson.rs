@@ -1,0 +1,152 @@
+//! What came of a lesson besides weights: whether what a command would do now ends where things were put, which other
+//! readings would, what was added in plain words, and phrases taught by saying them in other words. Such a phrase is an
+//! idiom of the model: a whole sentence with a goal. A closed word gets no new meaning by it (`ccg::closed`).
+
+use super::protocol::{Check, Fit, Lesson, Meaning, PairText, Refusal, Told, What};
+use crate::ccg::{
+    Atom, ChartConfig, EntryId, Model, Origin, Parse, SyntaxId, closed, composed_words, parse_words,
+};
+use crate::domain::{Cell, State, cell_at};
+use crate::ground::{Goal, Validator, claim, noun};
+use crate::logic::{TermId, print, read};
+
+/// Readings of a lesson that are looked at.
+const MOST_READINGS: usize = 30;
+/// Readings that are offered.
+const MOST_FITS: usize = 3;
+
+/// Gives a lesson's whole command the meaning that the person chose or said in other words.
+///
+/// # Errors
+/// Why it cannot have it.
+pub(super) fn mean(model: &mut Model, lesson: &Lesson) -> Result<(), Refusal> {
+    let Some(means) = &lesson.means else { return Ok(()) };
+    let words = composed_words(&lesson.command);
+    let own = parsed(model, &lesson.command);
+    let goal = match means {
+        Meaning::Form(form) => read(&mut model.grammar.terms, form).map_err(|_| Refusal::Lost)?,
+        Meaning::Words(other) => {
+            if own.answer().is_some() && own.left_out.is_empty() {
+                return Err(Refusal::Known);
+            }
+            let other = parsed(model, other);
+            let goal = other.answer().filter(|_| other.left_out.is_empty());
+            goal.ok_or(Refusal::Lost)?.form
+        }
+    };
+    let is_own = own.readings.iter().any(|reading| reading.form == goal);
+    let closed = closed(&words).iter().position(Option::is_some).filter(|_| !is_own);
+    if let Some(word) = closed.and_then(|at| words.get(at)) {
+        return Err(Refusal::Closed(word.clone()));
+    }
+    model.add_idiom(&words, goal).map_err(|_| Refusal::Lost)
+}
+
+/// Whether the one answer to a lesson's command is what it says that it means.
+pub(super) fn is_meant(model: &mut Model, lesson: &Lesson) -> bool {
+    let answer = parsed(model, &lesson.command).answer();
+    let answer = answer.map(|answer| print(&model.grammar.terms, answer.form));
+    match &lesson.means {
+        Some(Meaning::Form(form)) => answer.as_ref() == Some(form),
+        Some(Meaning::Words(other)) => {
+            let other = parsed(model, other).answer();
+            let other = other.map(|other| print(&model.grammar.terms, other.form));
+            answer.is_some() && answer == other
+        }
+        None => false,
+    }
+}
+
+/// Whether what a lesson's command means now accounts for all that was shown, and which readings would.
+pub(super) fn check(model: &mut Model, lesson: &Lesson) -> Check {
+    let parse = parsed(model, &lesson.command);
+    let mut validator = Validator::new();
+    let pairs: Vec<_> = lesson.pairs.iter().map(|p| validator.pair(&p.pre, &p.post)).collect();
+    let terms = &model.grammar.terms;
+    let mut fits = |form: TermId| {
+        validator.valid(terms, form, &pairs)
+            && lesson.pairs.iter().all(|pair| accounts(model, form, pair))
+    };
+    let ends = parse.answer().is_some_and(|answer| fits(answer.form));
+    let readings = parse.readings.iter().take(MOST_READINGS).filter(|_| !ends);
+    let fitting = readings.filter(|reading| fits(reading.form)).take(MOST_FITS);
+    let fit = |form: TermId| Fit { form: print(terms, form), claim: claim(terms, form) };
+    Check { ends, fits: fitting.map(|reading| fit(reading.form)).collect() }
+}
+
+/// Whether a goal has to do with everything that was moved: put back to where it was, the goal would not hold. A robot
+/// that stands beside what it moved is there for that.
+fn accounts(model: &Model, form: TermId, PairText { pre, post }: &PairText) -> bool {
+    let Ok(goal) = Goal::new(&model.grammar.terms, form, pre) else { return false };
+    let mut moved = Vec::new();
+    for (at, (was, is)) in pre.objects.iter().zip(&post.objects).enumerate() {
+        if region(pre, (was.x, was.y)) == region(post, (is.x, is.y)) {
+            continue;
+        }
+        moved.push((is.x, is.y));
+        let mut back = post.clone();
+        if let Some(object) = back.objects.get_mut(at) {
+            (object.x, object.y) = (was.x, was.y);
+        }
+        if goal.holds(&back) {
+            return false;
+        }
+    }
+    let (was, is) = (&pre.agent, &post.agent);
+    let is_beside = |&(x, y): &(i32, i32)| (x - is.x).abs() + (y - is.y).abs() <= 1;
+    if region(pre, (was.x, was.y)) == region(post, (is.x, is.y)) || moved.iter().any(is_beside) {
+        return true;
+    }
+    let back = State { agent: *was, ..post.clone() };
+    !goal.holds(&back)
+}
+
+/// The place among rooms, or doors, of what a cell belongs to.
+fn region(state: &State, (x, y): (i32, i32)) -> (bool, Option<usize>) {
+    match cell_at(&state.rooms, &state.doors, x, y) {
+        Cell::Door(door) => (true, Some(door)),
+        _ => (false, state.rooms.iter().position(|room| room.bounds.strictly_inside(x, y))),
+    }
+}
+
+/// What an entry means, in plain words.
+pub(super) fn told(model: &mut Model, id: EntryId) -> Told {
+    let category = model.lexicon.category(id);
+    let words = model.lexicon.lexeme(model.lexicon.entry(id).lexeme).words.join(" ");
+    let what = if model.lexicon.is_empty_entry(id) {
+        What::Nothing
+    } else if category.syntax.is_sentence() {
+        What::Goal(claim(&model.grammar.terms, category.meaning))
+    } else if let Some(word) = like(model, id) {
+        What::Like(word)
+    } else if is_noun(model, category.syntax) {
+        let phrase = format!("(the:<<e,t>,e> {})", print(&model.grammar.terms, category.meaning));
+        match read(&mut model.grammar.terms, &phrase) {
+            Ok(phrase) => What::Thing(noun(&model.grammar.terms, phrase)),
+            Err(_) => What::Other,
+        }
+    } else {
+        What::Other
+    };
+    Told { words, what }
+}
+
+fn is_noun(model: &Model, syntax: SyntaxId) -> bool {
+    model.grammar.syntaxes.is(syntax, Atom::N)
+}
+
+/// A word of the seed that means the same.
+fn like(model: &Model, id: EntryId) -> Option<String> {
+    let lexicon = &model.lexicon;
+    let words = |other: EntryId| &lexicon.lexeme(lexicon.entry(other).lexeme).words;
+    let same = |other: &EntryId| {
+        lexicon.origin(*other) == Origin::Seed && lexicon.category(*other) == lexicon.category(id)
+    };
+    let same = lexicon.entries().iter().copied().filter(same);
+    same.min_by_key(|&other| words(other).len()).map(|other| words(other).join(" "))
+}
+
+fn parsed(model: &mut Model, command: &str) -> Parse {
+    let config = ChartConfig::of(model);
+    parse_words(model, composed_words(command), config)
+}

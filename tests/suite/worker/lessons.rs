@@ -1,0 +1,113 @@
+//! Lessons of the shipped model: they end where things were put, or the readings that would are offered; a phrase is
+//! taught by other words; no closed word gets a new meaning; and what was learned is told in plain words.
+
+use super::{only, pump};
+use groundling::domain::State;
+use groundling::worker::protocol::{
+    Answer, Event, Lesson, Meaning, PairText, Refusal, Request, TeachReport, What, WorldRules,
+};
+use groundling::worker::{Engine, Learner, Talker};
+
+const MODEL: &str = include_str!("../../../assets/model/cleanup.model");
+const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.json");
+const BOTH: &str = "take the block to the green room and go to the blue room";
+
+/// A lesson that takes the robot and the block to these cells.
+fn shown(command: &str, robot: (i32, i32), block: (i32, i32)) -> Lesson {
+    let pre = State::read(WORLD).unwrap();
+    let mut post = pre.clone();
+    (post.agent.x, post.agent.y) = robot;
+    (post.objects[0].x, post.objects[0].y) = block;
+    Lesson { command: command.to_owned(), pairs: vec![PairText { pre, post }], means: None }
+}
+
+fn said(command: &str, words: &str) -> Lesson {
+    let means = Some(Meaning::Words(words.to_owned()));
+    Lesson { command: command.to_owned(), pairs: Vec::new(), means }
+}
+
+fn teach(examples: &[Lesson]) -> TeachReport {
+    let request = Request::Teach { model: MODEL.to_owned(), examples: examples.to_vec() };
+    match only(pump(&mut Engine::<Learner>::new(), 1, request)) {
+        Event::Taught(report) => *report,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn ask(model: &str, command: &str) -> Answer {
+    let mut engine = Engine::<Talker>::new();
+    pump(&mut engine, 1, Request::OpenModel { text: model.to_owned() });
+    let state = State::read(WORLD).unwrap();
+    let ask = Request::Ask { command: command.to_owned(), state, rules: WorldRules::default() };
+    match pump(&mut engine, 2, ask).pop() {
+        Some(Event::Answer(answer)) => *answer,
+        other => panic!("{command}: {other:?}"),
+    }
+}
+
+/// What a command means at first, as a form.
+fn best(model: &str, command: &str) -> String {
+    ask(model, command).readings[0].form.clone()
+}
+
+/// Teaches a lesson, and if it does not hold the first of the readings that are offered for it.
+fn held(lesson: Lesson) -> TeachReport {
+    let report = teach(std::slice::from_ref(&lesson));
+    let check = report.check.clone().unwrap();
+    if check.ends {
+        return report;
+    }
+    let form = check.fits[0].form.clone();
+    teach(&[Lesson { means: Some(Meaning::Form(form)), ..lesson }])
+}
+
+#[test]
+fn a_lesson_of_two_things_does_both() {
+    let lesson = shown(BOTH, (2, 6), (8, 2));
+    let report = held(lesson);
+    assert_eq!(report.understood, [true]);
+    let form = best(&report.model.model, BOTH);
+    assert!(form.contains("green") && form.contains("blue"), "{form}");
+}
+
+#[test]
+fn a_reading_that_fits_is_offered_where_another_comes_first() {
+    let report = held(shown("leave the green room", (6, 6), (8, 6)));
+    assert_eq!(report.understood, [true], "{:?}", report.check);
+    let form = best(&report.model.model, "leave the green room");
+    assert!(form.contains("not:<t,t>") && form.contains("green"), "{form}");
+}
+
+#[test]
+fn a_phrase_is_taught_by_other_words() {
+    let words = "put the block in the blue room";
+    let report = teach(&[said("tidy up", words)]);
+    assert_eq!((report.understood, report.refusal), (vec![true], None));
+    let model = &report.model.model;
+    assert_eq!(best(model, "tidy up"), best(MODEL, words));
+    assert!(ask(model, "tidy up").words.iter().all(|word| word.heard.is_none()), "as it is spelt");
+    assert_eq!(best(model, "go to the blue room"), best(MODEL, "go to the blue room"));
+}
+
+#[test]
+fn by_other_words_nothing_known_gets_another_meaning() {
+    let refusal = |command: &str, words: &str| {
+        let report = teach(&[said(command, words)]);
+        assert_eq!(report.understood, [false], "{command}");
+        report.refusal
+    };
+    let blue = "go to the blue room";
+    assert_eq!(refusal("and so on", blue), Some(Refusal::Closed("and".to_owned())));
+    assert_eq!(refusal("unless zip", blue), Some(Refusal::Closed("unless".to_owned())));
+    assert_eq!(refusal("go to the red room", blue), Some(Refusal::Known));
+    assert_eq!(refusal("zip", "frobnicate the gadget"), Some(Refusal::Lost));
+}
+
+#[test]
+fn what_was_learned_is_told_in_plain_words() {
+    let report = teach(&[shown("flump to the blue room", (2, 6), (8, 6))]);
+    assert_eq!(report.added.len(), report.told.len());
+    assert!(report.told.iter().any(|told| told.words.contains("flump")));
+    let plain = report.told.iter().filter(|told| told.what != What::Other);
+    assert!(plain.count() > 0, "{:?}", report.told);
+}
