@@ -6,6 +6,7 @@ use super::command::query::query;
 use super::command::state::Command;
 use super::command::{ask, study, wonder};
 use super::demo::run;
+use super::demo::state::Demo;
 use super::past::recall;
 use super::room::{hand, moved, worlds};
 use super::share::exchange;
@@ -32,6 +33,10 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
             | Action::Help(_)
     ) {
         state.resume.is_quiet = false;
+    }
+    if matches!(action, Action::Typed(_) | Action::Ask | Action::AskExample(_) | Action::Open(_)) {
+        // Whoever says something, in whatever way, has the page.
+        state.demo = Demo::Over;
     }
     match action {
         Action::Demo => run::want(state, shared),

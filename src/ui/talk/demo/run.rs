@@ -1,5 +1,6 @@
 //! What the page does by itself for who has just come: one command is typed, letter by letter, sent, and done. It ends
-//! at the first key or touch, and is not begun for who prefers less motion, opened a link, did something already, or comes back to a session.
+//! at the first key or touch, or when something is said, and is not begun for who prefers less motion, opened a link, did
+//! something already, or comes back to a session.
 
 use super::state::Demo;
 use crate::ui::page::effect::{Effect, Timer};

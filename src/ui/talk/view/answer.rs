@@ -29,10 +29,10 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
     }
     let Some(answer) = state.heard(shared) else {
         return html! {
-            <div class="answer">
-                <p class="hello">{ text.hello }</p>
+            <>
+                <p class="answer hello">{ text.hello }</p>
                 if state.room.mode == Mode::Watch { { not_taught(state, shared, act) } }
-            </div>
+            </>
         };
     };
     let words = &answer.words;
