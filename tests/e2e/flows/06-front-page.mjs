@@ -44,6 +44,19 @@ flow('the page does one command by itself, and stops at the first key', { reduce
   await t.until('it stands still', async () => (await demo.by('plan').getAttribute('data-playing')) === 'false');
 });
 
+flow('who is quicker than the model is heard all the same', async (t) => {
+  let come;
+  const wait = new Promise((resolve) => { come = resolve; });
+  await t.context.route(/cleanup[^/]*\.model/, async (route) => { await wait; await route.continue(); });
+  await t.open();
+  await t.page.getByTestId('command').fill('go to the blue room');
+  await t.page.keyboard.press('Enter');
+  await t.check(async () => /One moment/.test(await t.page.getByTestId('hello').textContent()), 'what it says meanwhile');
+  come();
+  await t.page.getByTestId('plan').waitFor();
+  await t.equal(() => t.page.getByTestId('plain').textContent(), 'I will go to the blue room.', 'what it does then');
+});
+
 flow('a key while it types by itself, and the box is the person’s', { reducedMotion: 'no-preference' }, async (t) => {
   const demo = await openPage(t);
   await t.until('it types', async () => /^put/.test(await demo.by('command').inputValue()));
