@@ -1,6 +1,6 @@
 //! What the engines say to the Talk page: each answer goes to the part that asked.
 
-use super::command::{answer, ask, examples, wonder};
+use super::command::{answer, examples, say, wonder};
 use super::room::worlds;
 use super::share::exchange;
 use super::state::State;
@@ -83,5 +83,5 @@ pub fn model_opened(state: &mut State, shared: &mut Shared, teach: bool) {
 /// Commands are understood otherwise from now on: what waits for that goes on, and what is typed is read again.
 pub fn can_hear(state: &mut State, shared: &mut Shared) {
     exchange::resume(state, shared);
-    ask::read(state, shared);
+    say::begin(state, shared);
 }

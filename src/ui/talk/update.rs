@@ -2,9 +2,9 @@
 //! changed for all pages.
 
 use super::action::Action;
-use super::command::query::query;
 use super::command::state::Command;
-use super::command::{ask, study, wonder};
+use super::command::say::say;
+use super::command::{ask, study};
 use super::demo::run;
 use super::demo::state::Demo;
 use super::past::recall;
@@ -13,7 +13,6 @@ use super::share::exchange;
 use super::share::state::Sharing;
 use super::state::State;
 use super::teach::learn;
-use super::teach::other::in_other_words;
 use super::watch::{play, values};
 use super::why::mend;
 use super::words::Text;
@@ -101,19 +100,6 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::SaveSession => exchange::save(shared),
         Action::Open(text) => exchange::opened(state, shared, text),
         Action::CloseShare => state.sharing = Sharing::default(),
-    }
-}
-
-/// Says what stands in the box: a lesson in other words, a question, or a command.
-fn say(state: &mut State, shared: &mut Shared) {
-    match in_other_words(&state.command.input) {
-        Some(lesson) => return learn::learn_besides(state, shared, lesson),
-        None if !shared.can_ask() => return,
-        None => {}
-    }
-    match query(&state.command.input) {
-        Some((query, about)) => wonder::ask(state, shared, query, about),
-        None => ask::ask(state, shared),
     }
 }
 

@@ -9,3 +9,4 @@ pub mod ask;
 pub mod examples;
 pub mod study;
 pub mod answer;
+pub mod say;

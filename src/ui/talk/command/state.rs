@@ -17,6 +17,8 @@ pub const MOST_CHARACTERS: usize = 1_000;
 pub struct Command {
     /// What stands in the command box.
     pub input: String,
+    /// Whether it was sent before there was anyone to hear it, and is asked as soon as there is.
+    pub early: bool,
     /// What it would mean, while it is typed.
     pub live: Option<Rc<Answer>>,
     /// The question that is looked up, with the command whose phrase it is about.

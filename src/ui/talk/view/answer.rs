@@ -28,9 +28,10 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
         };
     }
     let Some(answer) = state.heard(shared) else {
+        let words = if state.command.early { text.soon } else { text.hello };
         return html! {
             <>
-                <p class="answer hello">{ text.hello }</p>
+                <p class="answer hello" data-testid="hello">{ words }</p>
                 if state.room.mode == Mode::Watch { { not_taught(state, shared, act) } }
             </>
         };
