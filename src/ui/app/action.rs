@@ -1,11 +1,12 @@
 //! What can happen: a person did it on a page or around it, an engine said it, or a timer ran out.
 
 use crate::ui::page::effect::Timer;
-use crate::ui::page::files::Offered;
-use crate::ui::page::keep::ask::News;
+use crate::ui::page::files::Given;
+use crate::ui::page::keep::ask;
 use crate::ui::page::language::Language;
+use crate::ui::page::news::News;
 use crate::ui::page::preferences::{Depth, Preferences};
-use crate::ui::{talk, train};
+use crate::ui::talk;
 use crate::worker::protocol::{Envelope, Event, Program};
 
 /// The pages.
@@ -40,8 +41,6 @@ impl View {
 pub enum Action {
     /// A person did something on the Talk page.
     Talk(talk::Action),
-    /// A person did something on the Train page.
-    Train(train::Action),
 
     /// The page has opened, in this language.
     Opened(Language),
@@ -57,8 +56,12 @@ pub enum Action {
     Undo,
     /// Do what was undone again.
     Redo,
-    /// Files were dropped.
-    Offered(Vec<Offered>),
+    /// Something was given to the robot: a model or a session.
+    Given(Given),
+    /// The workbench has come, or has not; the text says why.
+    Loaded(Result<(), String>),
+    /// The workbench has news.
+    Bench(News),
     /// Something was copied, or could not be.
     Copied(bool),
 
@@ -69,7 +72,7 @@ pub enum Action {
     /// A person asked for a new engine.
     RestartEngine(Program),
     /// The store said something.
-    Stored(News),
+    Stored(ask::News),
     /// The page was opened by this link, which is being unpacked.
     Linked(String),
     /// The page is not to be seen any more, and may be closed.

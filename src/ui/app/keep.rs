@@ -6,16 +6,17 @@ use super::state::State;
 use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
-use crate::ui::page::keep::ask::{Ask, News, Place};
+use crate::ui::page::keep::ask::{self, Ask, Place};
 use crate::ui::page::keep::fault::Fault;
 use crate::ui::page::keep::state::{Keep, OWN, Origin, SESSION, Stage, short};
+use crate::ui::page::news::News;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::words::Text;
 use crate::ui::page::{document, model};
+use crate::ui::talk;
 use crate::ui::talk::share::also::Also;
 use crate::ui::talk::share::exchange::is_settled;
 use crate::ui::talk::share::session::Session;
-use crate::ui::{talk, train};
 use crate::worker::protocol::PairText;
 
 /// Milliseconds from a change to when it is kept: what changes meanwhile is kept with it.
@@ -24,18 +25,18 @@ const WAIT_MS: u32 = 700;
 const BEFORE: &str = "before";
 
 /// The store said something.
-pub(super) fn heard(state: &mut State, news: News) {
+pub(super) fn heard(state: &mut State, news: ask::News) {
     let State { shared, .. } = state;
     match news {
-        News::Open => {
+        ask::News::Open => {
             (shared.keep.stage, shared.keep.fault) = (Stage::Reading, None);
             claim(shared, false);
         }
-        News::Claimed(ours) => claimed(shared, ours),
-        News::Read(place, found) => read(state, place, found),
-        News::Written if shared.keep.fault == Some(Fault::Full) => shared.keep.fault = None,
-        News::Written => {}
-        News::Failed(place, fault) => failed(state, place, fault),
+        ask::News::Claimed(ours) => claimed(shared, ours),
+        ask::News::Read(place, found) => read(state, place, found),
+        ask::News::Written if shared.keep.fault == Some(Fault::Full) => shared.keep.fault = None,
+        ask::News::Written => {}
+        ask::News::Failed(place, fault) => failed(state, place, fault),
     }
 }
 
@@ -138,10 +139,9 @@ pub(super) const fn change(action: &Action) -> Change {
     match action {
         Action::Talk(Link(_) | Preview(_) | Demo | Touched) => Change::None,
         Action::Talk(Open(_) | Shared(_)) | Action::Heard(..) => Change::Follows,
-        Action::Talk(_) | Action::Deepen(_) | Action::Speak(_) | Action::Offered(_) => {
-            Change::Begins
-        }
-        Action::Undo | Action::Redo | Action::Afresh | Action::Train(_) => Change::Begins,
+        Action::Talk(_) | Action::Deepen(_) | Action::Speak(_) | Action::Given(_) => Change::Begins,
+        Action::Undo | Action::Redo | Action::Afresh => Change::Begins,
+        Action::Bench(News::Use { .. } | News::Give(_)) => Change::Begins,
         _ => Change::None,
     }
 }
@@ -197,7 +197,7 @@ fn text(state: &State) -> String {
 
 /// Begins afresh: as a page that was never opened, but for what undo brings back.
 pub(super) fn afresh(state: &mut State) {
-    let State { shared, talk, train, .. } = state;
+    let State { shared, talk, .. } = state;
     talk.settle(shared);
     shared.record();
     let shipped = |model: &document::Model| model.origin == document::Origin::Shipped;
@@ -205,7 +205,7 @@ pub(super) fn afresh(state: &mut State) {
     shared.document = Document { base: base.clone(), ..Document::new() };
     shared.keep =
         Keep { stage: shared.keep.stage, link: shared.keep.link.take(), ..Keep::default() };
-    (*talk, *train) = (talk::State::new(), train::State::default());
+    *talk = talk::State::new();
     match base {
         Some(base) => model::go_on_with(shared, base),
         None => model::fetch(shared),

@@ -4,7 +4,7 @@
 pub mod words;
 pub mod action;
 pub mod state;
-mod wish;
+mod bench;
 mod keep;
 pub mod hear;
 pub mod update;

@@ -4,7 +4,7 @@
 use super::action::{Action, View};
 use super::state::State;
 use super::words::Text;
-use super::{hear, keep, wish};
+use super::{bench, hear, keep};
 use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
@@ -12,19 +12,15 @@ use crate::ui::page::keep::ask::Ask;
 use crate::ui::page::words::Text as Common;
 use crate::ui::page::{engines, model, resource};
 use crate::ui::talk::command::examples;
-use crate::ui::{help, talk, train};
+use crate::ui::{help, talk};
 use crate::worker::protocol::Program;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
     let change = keep::change(&action);
-    let State { shared, view, talk, train, help } = state;
+    let State { shared, talk, help, .. } = state;
     match action {
         Action::Talk(action) => talk::update::update(talk, shared, action),
-        Action::Train(action) => {
-            let wish = train::update::update(train, shared, action);
-            wish::grant(state, wish);
-        }
 
         Action::Opened(language) => {
             shared.language = language;
@@ -36,10 +32,10 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         }
         Action::Prefers(preferences) => shared.preferences = preferences,
         Action::Go(to) => {
-            *view = to;
+            state.view = to;
             match to {
                 View::Talk => {}
-                View::Train => train::update::begin(train, shared),
+                View::Train => bench::begin(state),
                 View::Kept => shared.want(Effect::Keep(Ask::Show(shared.language))),
                 View::Help => help::state::begin(help, shared),
             }
@@ -51,7 +47,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Speak(language) => {
             shared.language = language;
             shared.want(Effect::SetLanguage(language));
-            match view {
+            match state.view {
                 View::Help => help::state::begin(help, shared),
                 View::Kept => shared.want(Effect::Keep(Ask::Show(language))),
                 View::Talk | View::Train => {}
@@ -59,7 +55,9 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         }
         Action::Undo => travel(state, History::undo, |text| text.undone),
         Action::Redo => travel(state, History::redo, |text| text.redone),
-        Action::Offered(files) => wish::open(state, files),
+        Action::Given(given) => bench::give(state, given),
+        Action::Loaded(came) => bench::loaded(state, came),
+        Action::Bench(news) => bench::told(state, news),
         Action::Copied(well) => {
             let text = Common::of(shared.language);
             shared.say(if well { text.copied } else { text.not_copied });
@@ -68,7 +66,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Heard(program, envelope) => hear::heard(state, program, envelope),
         Action::EngineBroke(program, why) => {
             let news = engines::stopped(shared, program, why);
-            hear::told(state, program, Some(news));
+            hear::told(state, Some(news));
         }
         Action::RestartEngine(program) => hear::restart(state, program),
         Action::Stored(news) => keep::heard(state, news),
@@ -80,7 +78,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::CloseOrigin => shared.keep.origin = None,
         Action::Rang(Timer::Watch(program, watch)) => {
             let news = engines::look(shared, program, watch);
-            hear::told(state, program, news);
+            hear::told(state, news);
         }
         Action::Rang(Timer::Examples(number)) => examples::rang(talk, shared, number),
         Action::Rang(Timer::Demo(number)) => talk::demo::run::rang(talk, shared, number),

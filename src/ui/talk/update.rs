@@ -2,8 +2,8 @@
 //! changed for all pages.
 
 use super::action::Action;
-use super::command::state::Command;
 use super::command::say::say;
+use super::command::state::Command;
 use super::command::{ask, study};
 use super::demo::run;
 use super::demo::state::Demo;

@@ -50,7 +50,7 @@ async fn act(
         "export" => {
             if let Some((text, _)) = store.read(kind, name).await? {
                 let end = if kind == "session" { "json" } else { "txt" };
-                let _ = save(&format!("{kind}-{name}.{end}"), text.into());
+                let _ = save(&format!("{kind}-{name}.{end}"), &text);
             }
         }
         "delete" | "delete-all" => {

@@ -1,6 +1,7 @@
 //! The page's side of the keeper: imports the module `keeper.js`, asks it in turn, and tells the page what it says.
 
 use super::host;
+use super::module::import;
 use crate::ui::page::keep::ask::{Ask, News, Place};
 use crate::ui::page::keep::fault::Fault;
 use js_sys::{Array, JsString, Promise};
@@ -9,7 +10,7 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::{Closure, wasm_bindgen};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{Element, Url};
+use web_sys::Element;
 use yew::Callback;
 
 /// The element that the list of what is kept is drawn into.
@@ -17,14 +18,9 @@ pub(crate) const LIST: &str = "kept-list";
 
 #[wasm_bindgen]
 extern "C" {
-    #[wasm_bindgen(js_name = import)]
-    fn import_module(url: &str) -> Promise;
-
     /// The keeper's exports.
     #[derive(Clone)]
     type Module;
-    #[wasm_bindgen(method, structural, catch, js_name = default)]
-    fn start(this: &Module) -> Result<Promise, JsValue>;
     #[wasm_bindgen(method, structural)]
     fn open(this: &Module, name: &str, told: &JsValue) -> Promise;
     #[wasm_bindgen(method, structural)]
@@ -119,9 +115,7 @@ impl Keeper {
 }
 
 async fn load(told: &JsValue) -> Result<(Module, Store), JsValue> {
-    let url = Url::new_with_base("keeper.js", &base()?)?;
-    let module: Module = JsFuture::from(import_module(&url.href())).await?.unchecked_into();
-    JsFuture::from(module.start()?).await?;
+    let module: Module = import("keeper.js", 0).await?.unchecked_into();
     let store = JsFuture::from(module.open(&scoped("")?, told)).await?.unchecked_into();
     Ok((module, store))
 }
@@ -137,12 +131,6 @@ async fn read(
 
 /// A name of this site's own: others of the same host have theirs.
 fn scoped(name: &str) -> Result<String, JsValue> {
-    Ok(format!("groundling {} {name}", base()?))
-}
-
-fn base() -> Result<String, JsValue> {
-    let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
     // The page's own address without its file and what stands behind.
-    let here = Url::new_with_base(".", &document.base_uri()?.ok_or("no base address")?)?;
-    Ok(here.href())
+    Ok(format!("groundling {} {name}", host::beside(".")?.href()))
 }

@@ -3,6 +3,9 @@
 //! visitor loads.
 
 pub mod host;
+pub mod save;
+pub mod worker;
+pub mod stopped;
 pub mod files;
 pub mod sign;
 pub mod select;
@@ -11,5 +14,6 @@ pub mod sketch;
 pub mod picture;
 pub mod store;
 pub mod claim;
+pub mod module;
 pub mod keeper;
-pub mod save;
+pub mod foot;

@@ -68,23 +68,20 @@ fn open(state: &mut State, shared: &mut Shared, session: Session) {
     state.sharing = Sharing::default();
     state.command.input = command.clone().unwrap_or_default();
     let (lessons, is_quiet) = ((!lessons.is_empty()).then_some(lessons), also.is_some());
-    state.resume = Resume { lessons, command, form, is_quiet, input: None, trained: None };
-    if let Some(also) = also.as_deref().and_then(Also::unpack) {
-        restore(state, shared, also);
-    }
+    state.resume = Resume { lessons, command, form, is_quiet, input: None };
+    let also = also.as_deref().and_then(Also::unpack);
+    let trained = also.and_then(|also| restore(state, shared, also));
     match model {
         Some(text) => {
-            model::open_file(shared, text);
-            if let Some(corpus) = state.resume.trained.take() {
-                shared.opening = Origin::Trained(corpus);
-            }
+            let origin = trained.map_or(Origin::File, Origin::Trained);
+            model::open(shared, text, origin);
         }
         None => resume(state, shared),
     }
 }
 
-/// What only this machine kept comes back, too.
-fn restore(state: &mut State, shared: &mut Shared, also: Also) {
+/// What only this machine kept comes back, too; what corpus the model was trained on here is returned.
+fn restore(state: &mut State, shared: &mut Shared, also: Also) -> Option<String> {
     let Also { preset, origin, draft, lesson, input, lines, language, made, trained } = also;
     let document = &mut shared.document;
     document.preset = preset;
@@ -99,7 +96,7 @@ fn restore(state: &mut State, shared: &mut Shared, also: Also) {
         shared.want(Effect::SetLanguage(language));
     }
     shared.keep.made = made;
-    state.resume.trained = trained;
+    trained
 }
 
 /// Goes on with a session that was opened, as far as there is a model for it.

@@ -31,8 +31,6 @@ pub struct Resume {
     pub form: Option<String>,
     /// What stands in the box after that.
     pub input: Option<String>,
-    /// What corpus its model was trained on here.
-    pub trained: Option<String>,
     /// Whether what comes of it is shown as it ended, since it was seen before.
     pub is_quiet: bool,
 }
