@@ -66,6 +66,12 @@ impl Shared {
         self.document.model.is_some() && self.talker.health == Health::Ready
     }
 
+    /// Whether a command can be sent, now or once all that it takes has come.
+    pub fn can_ask_soon(&self) -> bool {
+        let lives = !matches!(self.talker.health, Health::Stopped(_));
+        lives && (self.document.model.is_some() || self.model_notice.is_none())
+    }
+
     /// A screen reader is to tell these words.
     pub fn say(&mut self, words: impl Into<String>) {
         self.announcement = words.into();
