@@ -10,7 +10,7 @@ use super::protocol::{
 };
 use super::talker::report;
 use crate::ccg::{EntryText, Model};
-use crate::corpus::{Cells, Corpus, Example, Options, Pair};
+use crate::corpus::{Cells, Corpus, Decision, Example, Options, Pair};
 use crate::learn::{
     CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Taught, Teaching, Trainer, seed_model,
 };
@@ -27,7 +27,7 @@ impl Role for Learner {
     fn begin(&mut self, request: Request) -> Result<Job<Learner>, String> {
         match request {
             Request::ReadCorpus { files, with_rejected } => {
-                Ok(read_corpus(files, Options { with_rejected }))
+                Ok(read_corpus(files, Options { with_rejected, ..Options::default() }))
             }
             Request::ShowRow { row } => self.show_row(row),
             Request::Train { lexicon, settings } => self.train(lexicon, &settings),
@@ -176,6 +176,7 @@ fn example(lesson: Lesson) -> Example {
         command: lesson.command,
         task: None,
         worker: None,
+        decision: Decision::Open,
         pairs: pairs.collect(),
         rest: Cells::default(),
     }

@@ -62,7 +62,7 @@ impl CorpusReading {
                 let Some(CorpusFile { name, bytes }) = self.waiting.next() else {
                     return Some(self.end());
                 };
-                match Reading::new(Cursor::new(bytes), self.options) {
+                match Reading::new(Cursor::new(bytes), self.options.clone()) {
                     Ok(reading) => {
                         self.now = Some((name, reading));
                         None
