@@ -3,7 +3,7 @@
 
 use super::admit::{Options, decision};
 use super::draft::{Draft, Found, Place};
-use super::example::{Corpus, Decision, Row};
+use super::example::{Corpus, Decision, Example, Row};
 use super::flaw::{Flaw, Wrong, cut_quoted, some};
 use super::header::{APPROVE, COMMAND, FORM, ID, POST, PRE, REASON, STATUS, TASK, WORKER};
 use super::items::{Item, Items};
@@ -88,20 +88,31 @@ impl<R: Read> Reader<R> {
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(corpus: &Corpus, mut out: impl Write) -> std::io::Result<()> {
-    for example in &corpus.examples {
+pub fn write(corpus: &Corpus, out: impl Write) -> std::io::Result<()> {
+    write_rows(corpus.examples.iter().map(|example| (example, &example.decision)), out)
+}
+
+/// Writes rows, each with what was decided of it, as JSON lines.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_rows<'a>(
+    rows: impl IntoIterator<Item = (&'a Example, &'a Decision)>,
+    mut out: impl Write,
+) -> std::io::Result<()> {
+    for (example, decision) in rows {
         let pairs = example.pairs.iter().map(|pair| PairOut { pre: &pair.pre, post: &pair.post });
         let line = LineOut {
             id: &example.id,
             command: &example.command,
             task: example.task.as_deref(),
             worker: example.worker.as_deref(),
-            status: match example.decision {
+            status: match decision {
                 Decision::Open => None,
                 Decision::Approved => Some("Approved"),
                 Decision::Rejected(_) => Some("Rejected"),
             },
-            reject: match &example.decision {
+            reject: match decision {
                 Decision::Rejected(reason) if !reason.is_empty() => Some(reason),
                 _ => None,
             },

@@ -1,49 +1,18 @@
-//! Mechanical Turk's batch-results CSV, in and out, with the quirks of real files: columns in any order and
+//! Mechanical Turk's batch-results CSV with the quirks of real files: columns in any order and
 //! found by name, rows without their last cells, answers of crowd-html forms as JSON in one cell.
 
 use super::admit::{Options, decision, empty, something};
 use super::cell;
 use super::cells::Cells;
 use super::draft::{Draft, Found, Place};
-use super::example::{Corpus, Decision, Example, Row};
+use super::example::{Decision, Row};
 use super::flaw::{Flaw, Wrong, some};
-use super::header::{APPROVE, COMMAND, Header, POST, PRE, REASON, Role, STATUS, TASK};
+use super::header::{COMMAND, Header};
 use super::limits::{MAX_CELL_BYTES, MAX_COLUMNS};
 use super::mapping::Mapping;
 use super::record::{Fault, Record, Records, Step};
 use super::source::Source;
-use std::io::{Read, Write};
-
-/// The columns of a batch-results file before those of the task's own inputs and answers.
-const PLATFORM: [&str; 27] = [
-    "HITId",
-    "HITTypeId",
-    "Title",
-    "Description",
-    "Keywords",
-    "Reward",
-    "CreationTime",
-    "MaxAssignments",
-    "RequesterAnnotation",
-    "AssignmentDurationInSeconds",
-    "AutoApprovalDelayInSeconds",
-    "Expiration",
-    "NumberOfSimilarHITs",
-    "LifetimeInSeconds",
-    "AssignmentId",
-    "WorkerId",
-    "AssignmentStatus",
-    "AcceptTime",
-    "SubmitTime",
-    "AutoApprovalTime",
-    "ApprovalTime",
-    "RejectionTime",
-    "RequesterFeedback",
-    "WorkTimeInSeconds",
-    "LifetimeApprovalRate",
-    "Last30DaysApprovalRate",
-    "Last7DaysApprovalRate",
-];
+use std::io::Read;
 
 /// A reader of a batch-results file, row by row.
 pub(super) struct Reader<R> {
@@ -228,101 +197,6 @@ fn command<'a>(header: &'a Header, record: &Record) -> (&'a str, Result<String, 
     }
 }
 
-/// Writes a corpus as a batch-results file: its own columns if it has any, and those that its decisions need; otherwise
-/// the platform's. Every cell is quoted, lines end in CR LF, as the platform writes them.
-///
-/// # Errors
-/// Those of `out`.
-pub fn write(corpus: &Corpus, out: impl Write) -> std::io::Result<()> {
-    let columns = match corpus.columns.as_slice() {
-        [] => standard_columns(corpus),
-        own => [own, &missing_columns(corpus)].concat(),
-    };
-    let role = |column: &String| match corpus.columns.contains(column) {
-        true => corpus.mapping.role(column),
-        false => Role::of(column),
-    };
-    let roles: Vec<Role> = columns.iter().map(role).collect();
-    let mut out = csv::WriterBuilder::new()
-        .quote_style(csv::QuoteStyle::Always)
-        .terminator(csv::Terminator::CRLF)
-        .from_writer(out);
-    out.write_record(&columns)?;
-    for example in &corpus.examples {
-        let is_decided = example.decision != kept_decision(corpus, example);
-        let mut rest = example.rest.iter();
-        for &role in &roles {
-            let kept = if role.is_kept_apart() { None } else { rest.next() };
-            let state = |n: usize, pick: fn(&super::example::Pair) -> &crate::domain::State| {
-                example.pairs.get(n - 1).map(|pair| pick(pair).write()).unwrap_or_default()
-            };
-            let cell = match (role, kept) {
-                (Role::Task, _) => example.task.clone().unwrap_or_default(),
-                (Role::Pre(n), _) => state(n, |pair| &pair.pre),
-                (Role::Post(n), _) => state(n, |pair| &pair.post),
-                (Role::Command, _) => example.command.clone(),
-                (Role::Status | Role::Approve | Role::Reason, _) if is_decided => {
-                    decided(role, &example.decision).to_owned()
-                }
-                (_, Some(kept)) => kept.to_owned(),
-                (Role::Id, None) => example.id.clone(),
-                (Role::Worker, None) => example.worker.clone().unwrap_or_default(),
-                // What came from no table was approved.
-                (Role::Status | Role::Approve, None) if corpus.columns.is_empty() => {
-                    decided(role, &Decision::Approved).to_owned()
-                }
-                (_, None) => String::new(),
-            };
-            out.write_field(cell)?;
-        }
-        out.write_record(None::<&[u8]>)?;
-    }
-    out.flush()
-}
-
-/// What a cell says of a decision.
-fn decided(role: Role, decision: &Decision) -> &str {
-    match (role, decision) {
-        (Role::Status, Decision::Open) => "Submitted",
-        (Role::Status, Decision::Approved) => "Approved",
-        (Role::Status, Decision::Rejected(_)) => "Rejected",
-        (Role::Approve, Decision::Approved) => "x",
-        (Role::Reason, Decision::Rejected(reason)) => reason,
-        _ => "",
-    }
-}
-
-/// What the cells that an example kept of its table say was decided.
-fn kept_decision(corpus: &Corpus, example: &Example) -> Decision {
-    let roles = corpus.columns.iter().map(|column| corpus.mapping.role(column));
-    let kept = roles.filter(|role| !role.is_kept_apart()).zip(example.rest.iter());
-    let mut cells = [None; 3];
-    for (role, cell) in kept {
-        match role {
-            Role::Status => cells[0] = Some(cell),
-            Role::Approve => cells[1] = Some(cell),
-            Role::Reason => cells[2] = Some(cell),
-            _ => {}
-        }
-    }
-    let [status, approve, reason] = cells;
-    decision(status, approve, reason)
-}
-
-/// The columns that a table lacks to say what was decided.
-fn missing_columns(corpus: &Corpus) -> Vec<String> {
-    let is_decided = |example: &Example| example.decision != kept_decision(corpus, example);
-    if !corpus.examples.iter().any(is_decided) {
-        return Vec::new();
-    }
-    let roles: Vec<Role> = corpus.columns.iter().map(|name| corpus.mapping.role(name)).collect();
-    let wanted = [(STATUS, Role::Status), (APPROVE, Role::Approve), (REASON, Role::Reason)];
-    let lacks = |(name, role): &(&str, Role)| {
-        !roles.contains(role) && !corpus.columns.iter().any(|column| column == name)
-    };
-    wanted.into_iter().filter(lacks).map(|(name, _)| name.to_owned()).collect()
-}
-
 /// The command in the JSON that crowd-html forms answer with: `[{"command": "…"}]`.
 pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
     use serde_json::Value;
@@ -343,16 +217,4 @@ pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
             Err(Wrong::from(format!("no answer is called command (found: {names})")))
         }
     }
-}
-
-fn standard_columns(corpus: &Corpus) -> Vec<String> {
-    let n = corpus.examples.iter().map(|example| example.pairs.len()).max().unwrap_or(1);
-    let mut columns: Vec<String> = PLATFORM.iter().map(|&name| name.to_owned()).collect();
-    columns.push(TASK.to_owned());
-    for i in 1..=n {
-        columns.push(format!("{PRE}{i}"));
-        columns.push(format!("{POST}{i}"));
-    }
-    columns.extend([COMMAND, APPROVE, REASON].map(str::to_owned));
-    columns
 }

@@ -2,7 +2,7 @@
 //! read back. Bad rows, odd rows and bad files are data suites under `tests/data/corpus`.
 
 use groundling::corpus::{
-    Corpus, Flaw, Options, jsonl, limits::MAX_CELL_BYTES, limits::MAX_FILE_BYTES, mturk, read,
+    Corpus, Flaw, Options, jsonl, limits::MAX_CELL_BYTES, limits::MAX_FILE_BYTES, read, table,
 };
 use proptest::prelude::{any, prop, proptest};
 
@@ -213,7 +213,7 @@ fn answers_of_crowd_forms_are_read() {
             Err(said) => assert!(flaws[0].to_string().contains(said), "{form}: {flaws:?}"),
         }
         let mut written = Vec::new();
-        mturk::write(&corpus, &mut written).unwrap();
+        table::write(&corpus, &mut written).unwrap();
         assert_eq!(commands(&csv(written).0), commands(&corpus));
     }
 }
@@ -276,7 +276,7 @@ fn both_forms_write_what_they_read() {
     let (corpus, flaws) = csv(&text);
     assert_eq!(flaws, []);
     let mut written = Vec::new();
-    mturk::write(&corpus, &mut written).unwrap();
+    table::write(&corpus, &mut written).unwrap();
     assert_eq!(String::from_utf8(written).unwrap(), text);
 
     let mut lines = Vec::new();
@@ -285,7 +285,7 @@ fn both_forms_write_what_they_read() {
     assert_eq!(flaws, []);
     assert_eq!(commands(&again), commands(&corpus));
     let mut as_csv = Vec::new();
-    mturk::write(&again, &mut as_csv).unwrap();
+    table::write(&again, &mut as_csv).unwrap();
     let (twice, flaws) = csv(as_csv);
     assert_eq!(flaws, []);
     let facts = |c: &Corpus| -> Vec<_> {

@@ -2,7 +2,7 @@
 
 use super::command::{Command, Done, Failure};
 use super::corpora::text;
-use groundling::corpus::{Cells, Corpus, Decision, Example, jsonl, limits::MAX_PAIRS, mturk};
+use groundling::corpus::{Cells, Corpus, Decision, Example, jsonl, limits::MAX_PAIRS, table};
 use groundling::domain::Blueprint;
 use groundling::study::{TASKS, draw, read_tasks};
 use lexopt::ValueExt;
@@ -122,7 +122,7 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
         }
     }
     let out = BufWriter::new(io::stdout().lock());
-    if options.json { jsonl::write(&corpus, out) } else { mturk::write(&corpus, out) }
+    if options.json { jsonl::write(&corpus, out) } else { table::write(&corpus, out) }
         .map_err(Failure::Output)?;
     Ok(Done::Well)
 }

@@ -1,7 +1,7 @@
 //! What is written for a person to go on with: bad rows as a file of the same form, and what was decided of rows.
 
 use super::{HEADER, PRE, commands, csv, file, post};
-use groundling::corpus::{Corpus, Decision, Options, jsonl, mturk, read};
+use groundling::corpus::{Corpus, Decision, Options, jsonl, read, table};
 
 /// The bad rows of a file, which must be so many.
 #[track_caller]
@@ -82,7 +82,7 @@ fn what_was_decided_is_written_and_read_back() {
     assert_eq!(decided, wanted);
     let written = |corpus: &Corpus| {
         let (mut table, mut lines) = (Vec::new(), Vec::new());
-        mturk::write(corpus, &mut table).unwrap();
+        table::write(corpus, &mut table).unwrap();
         jsonl::write(corpus, &mut lines).unwrap();
         (table, lines)
     };

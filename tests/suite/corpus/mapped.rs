@@ -1,7 +1,7 @@
 //! Columns with names of their own: what they seem to be, what a mapping makes of them, and mappings as files.
 
 use super::{HEADER, PRE, commands, csv, file, post};
-use groundling::corpus::{Corpus, Decision, Flaw, Mapping, Options, mturk, preview, read};
+use groundling::corpus::{Corpus, Decision, Flaw, Mapping, Options, preview, read, table};
 
 const OWN: [&str; 6] =
     ["annotator", "initialState", "finalState", "Instruction", "remark", "rejected_because"];
@@ -75,7 +75,7 @@ fn mapped_columns_are_read_and_written_back_under_their_own_names() {
     assert_eq!(corpus.examples[1].decision, Decision::Rejected("nonsense".into()));
     let written = |corpus: &Corpus| {
         let mut out = Vec::new();
-        mturk::write(corpus, &mut out).unwrap();
+        table::write(corpus, &mut out).unwrap();
         String::from_utf8(out).unwrap()
     };
     assert_eq!(mapped(&written(&corpus), &mapping).0, corpus);
