@@ -86,7 +86,7 @@ pub(super) fn answer(model: &mut Model, parse: &Parse, command: &str, state: &St
     let doubt = probability(model, parse);
     let readings: Vec<Reading> =
         shown(parse).map(|one| reading(model, parse, one, state)).collect();
-    let (words, taken) = (words(model, parse, state), taken(parse));
+    let (words, taken) = (words(model, parse, Some(state)), taken(parse));
     Answer {
         command: command.to_owned(),
         asks: choices(parse, &readings, &words, &taken, doubt),

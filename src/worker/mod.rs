@@ -14,7 +14,9 @@ mod talker;
 mod progress;
 mod experiment;
 mod lesson;
+mod training;
 mod learner;
+mod bench;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;
 

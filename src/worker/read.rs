@@ -27,8 +27,9 @@ pub(super) fn shown(parse: &Parse) -> impl Iterator<Item = ccg::Reading> {
     parse.readings.iter().take(MAX_READINGS.max(parse.tied())).copied()
 }
 
-/// The words of a parse, and what became of each in the best reading.
-pub(super) fn words(model: &Model, parse: &Parse, state: &State) -> Vec<Word> {
+/// The words of a parse, and what became of each in the best reading; in a state, known words in place of unknown ones
+/// are of that.
+pub(super) fn words(model: &Model, parse: &Parse, state: Option<&State>) -> Vec<Word> {
     let best = parse.readings.first().map(|&reading| parse.derivation(reading));
     let absorbed = best.map(|derivation| derivation.absorbed());
     let Hearing { words: spelt, closed, .. } = Hearing::new(model, &parse.words);
@@ -45,7 +46,9 @@ pub(super) fn words(model: &Model, parse: &Parse, state: &State) -> Vec<Word> {
         let near = match fate {
             Fate::Unknown => {
                 let near = alike(&model.lexicon, text).into_iter();
-                near.filter(|word| is_here(model, word, state)).take(MAX_NEAR).collect()
+                let is_known =
+                    |word: &String| state.is_none_or(|state| is_here(model, word, state));
+                near.filter(is_known).take(MAX_NEAR).collect()
             }
             _ => Vec::new(),
         };

@@ -5,23 +5,33 @@ mod learning;
 mod message;
 mod planning;
 mod reading;
+mod sheet;
 mod wire;
 
 pub use learning::{
     Check, Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport,
     Figures, Fit, Judgement, Lesson, MOST_TAUGHT, Meaning, PairText, Problem, Progress, Refusal,
-    RowSummary, RunPart, RunReport, SeedLexicon, TaskFigures, TeachReport, Told, TrainReport,
-    TrainSettings, What,
+    RowSummary, RunPart, RunReport, TaskFigures, TeachReport, Told, TrainReport, TrainSettings,
+    What,
 };
 pub use message::{Envelope, Event, Program, Request, VERSION, Wanted};
 pub use planning::{
     Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
 };
 pub use reading::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Taken, Word};
+pub use sheet::{Checkpoint, Fault, FileReport, Form, MappedFile, RowReading, SheetReport, Split};
 pub use wire::{WireError, decode, encode};
 
 // What comes from further down and crosses as it is.
 pub use crate::ccg::closed::Kind as Closed;
 pub use crate::ccg::{EntryText, Explanation, Part};
+pub use crate::corpus::{Decision, Mapping, Preview};
 pub use crate::ground::{Article, Claim, Description, Noun, Shade};
+pub use crate::learn::audit::{Errors, Rows};
+pub use crate::learn::inspect::{Difference, EntryLine, EntrySort, EntryView, EntryWindow};
+pub use crate::learn::look::Look;
+pub use crate::learn::settings::{Lexicon, SeedLexicon, Settings};
+pub use crate::learn::sheet::{
+    Care, Facets, Half, Line, Outcome, Rule, Rules, Status, Verdict, View, Window,
+};
 pub use crate::plan::Why;
