@@ -3,6 +3,7 @@
 
 use super::combinator::RuleId;
 use super::lexicon::{EntryId, LexemeId, TemplateId};
+use crate::logic::order;
 use crate::logic::{ConstantId, Node, Sorts, TermId, Terms, ty};
 use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
@@ -264,7 +265,7 @@ impl Features {
     pub fn vector(&mut self, occurring: &[Feature]) -> Vector {
         let mut counts: Vec<(FeatureId, f64)> =
             occurring.iter().map(|&feature| (self.intern(feature), feature.scale())).collect();
-        counts.sort_by_key(|&(id, _)| id);
+        order::sort_by_key(&mut counts, |&(id, _)| id);
         counts.dedup_by(|(next, more), (id, count)| {
             let same = next == id;
             *count += if same { *more } else { 0.0 };

@@ -8,6 +8,7 @@ use super::combinator::{Grammar, Made, RuleId};
 use super::features::{Feature, Features};
 use super::reach::Reach;
 use super::syntax::SyntaxId;
+use crate::logic::order;
 use rustc_hash::FxHashMap;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -218,7 +219,7 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
         let sorted = |chart: &Chart, group: Group| {
             let mut edges = chart.spans[group.span].groups[group.group].1.clone();
             let score = |edge: u32| chart.edges[edge as usize].score;
-            edges.sort_by(|&a, &b| score(b).total_cmp(&score(a)));
+            order::sort_by(&mut edges, |&a, &b| score(b).total_cmp(&score(a)));
             edges
         };
         let sides: Vec<[Vec<u32>; 2]> = grids

@@ -11,7 +11,7 @@ use super::goals::{Goal, Goals};
 use super::lexicon::EntryId;
 use super::model::Model;
 use super::parse::{Reading, is_goal, rank, ranked};
-use crate::logic::TermId;
+use crate::logic::{TermId, order};
 use std::cmp::Ordering;
 use std::rc::Rc;
 
@@ -220,7 +220,7 @@ impl Forest {
         }
         let is_alive = |top: &&Top| self.alive[top.edge as usize];
         let mut tops: Vec<&Top> = self.tops.iter().filter(is_alive).collect();
-        tops.sort_by(|a, b| self.compare_edges(grammar, a.edge, b.edge));
+        order::sort_by(&mut tops, |a, b| self.compare_edges(grammar, a.edge, b.edge));
         let found = tops.into_iter().filter_map(|Top { edge, goal, .. }| {
             let goal = goal.as_ref()?;
             let score = goal.scored(features, self.chart.edge(*edge).score);

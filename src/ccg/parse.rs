@@ -15,6 +15,7 @@ use super::lexicon::EntryId;
 use super::lookup::lexical_item;
 use super::model::Model;
 use super::sentence::{is_too_long, words};
+use crate::logic::order::{sort_by, sort_by_key};
 use crate::logic::{TermId, Terms, TyId, ty};
 use indexmap::IndexMap;
 use indexmap::map::Entry;
@@ -239,7 +240,7 @@ fn left_out(
     let thrown = thrown.map(|(at, what)| (at, Some(grammar.terms.ty(what.meaning))));
     let skipped = derivation.absorbed().into_iter().filter(|&at| empty[at].is_none());
     let mut left_out: Vec<_> = skipped.map(|at| (at, None)).chain(thrown).collect();
-    left_out.sort_unstable();
+    sort_by_key(&mut left_out, |&one| one);
     left_out.dedup_by_key(|(at, _)| *at);
     left_out
 }
@@ -404,7 +405,7 @@ pub(super) fn ranked(
         }
     }
     let mut all: Vec<Found> = best.into_values().collect();
-    all.sort_by(order);
+    sort_by(&mut all, order);
     all.into_iter().map(|(score, goal, edge)| Reading { form: goal.form, score, edge }).collect()
 }
 

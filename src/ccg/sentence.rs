@@ -1,6 +1,7 @@
 //! A command's words: Unicode NFC, lower case, split on white space and hyphens, outer punctuation stripped,
 //! `'s` a word of its own, digits kept; an apostrophe is straight. Two commands are the same when their words are.
 
+use crate::logic::order;
 use unicode_normalization::char::{canonical_combining_class, compose, decompose_canonical};
 
 /// Words that a command may have.
@@ -90,7 +91,7 @@ pub fn nfc(text: &str) -> Vec<char> {
         decompose_canonical(c, |part| decomposed.push((canonical_combining_class(part), part)));
     }
     for marks in decomposed.chunk_by_mut(|a, b| a.0 > 0 && b.0 > 0) {
-        marks.sort_by_key(|(class, _)| *class);
+        order::sort_by_key(marks, |(class, _)| *class);
     }
     let mut out: Vec<char> = Vec::with_capacity(decomposed.len());
     // The last starter's place in `out`, and the class of what stands after it there.

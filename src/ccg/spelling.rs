@@ -5,6 +5,7 @@
 use super::closed::{Kind, closed, closed_words};
 use super::lexicon::{EntryId, Lexicon, Origin};
 use super::model::Model;
+use crate::logic::order;
 
 /// Letters below which a word is taken as it stands: too many short words are one letter apart.
 const SHORTEST: usize = 4;
@@ -52,7 +53,7 @@ fn nearest(model: &Model, word: &str) -> Option<String> {
 fn is_slip(word: &str, turn: &str) -> bool {
     let sorted = |text: &str| {
         let mut letters: Vec<char> = text.chars().collect();
-        letters.sort_unstable();
+        order::sort_by_key(&mut letters, |&letter| letter);
         letters
     };
     let undoubled = |text: &str| {
@@ -82,6 +83,6 @@ pub fn alike(lexicon: &Lexicon, word: &str) -> Vec<String> {
         .filter(|&(distance, known)| distance <= bound && distance < known.chars().count())
         .filter(|_| length >= 2)
         .collect();
-    near.sort_unstable();
+    order::sort_by_key(&mut near, |&one| one);
     near.into_iter().map(|(_, known)| known.to_owned()).collect()
 }

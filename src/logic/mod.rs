@@ -1,5 +1,6 @@
 //! Simply typed λ-calculus with hash-consed normal forms: the language of goals. Knows no world.
 
+pub mod order;
 pub mod ty;
 pub mod signature;
 pub mod term;

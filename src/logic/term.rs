@@ -2,6 +2,7 @@
 //! (invariant 1: equal ids exactly when terms are α-equivalent up to the order of conjuncts).
 //! Equality, hash, type, size and free variables of a term cost O(1).
 
+use super::order;
 use super::ty::{ENTITY, TRUTH, TyId, Type, Types};
 use hashbrown::HashTable;
 use rustc_hash::{FxHashMap, FxHasher};
@@ -281,12 +282,12 @@ impl Terms {
 
     /// Puts constants in the order of their names.
     pub fn sort_by_name(&self, constants: &mut [ConstantId]) {
-        constants.sort_by(|&a, &b| self.name(a).cmp(self.name(b)));
+        order::sort_by(constants, |&a, &b| self.name(a).cmp(self.name(b)));
     }
 
     /// Puts terms in the order of conjuncts.
     pub fn sort(&self, terms: &mut [TermId]) {
-        terms.sort_by(|&a, &b| self.compare(a, b));
+        order::sort_by(terms, |&a, &b| self.compare(a, b));
     }
 
     fn compare_each(&self, xs: &[TermId], ys: &[TermId]) -> Ordering {

@@ -19,8 +19,7 @@ pub fn fetch(shared: &mut Shared) {
 pub fn fetched(shared: &mut Shared, text: Result<String, String>) {
     match text {
         Ok(text) if shared.document.base.is_none() && !shared.talker.is_at(is_opening) => {
-            shared.opening = Origin::Shipped;
-            shared.send(Request::OpenModel { text }, true);
+            send(shared, text, Origin::Shipped);
         }
         Ok(_) => {}
         Err(why) => {
@@ -34,9 +33,20 @@ pub fn fetched(shared: &mut Shared, text: Result<String, String>) {
 /// Opens a model, which comes from there.
 pub fn open(shared: &mut Shared, text: String, origin: Origin) {
     shared.model_notice = None;
-    shared.opening = origin;
     // It takes the place of whatever waits to be opened.
     shared.talker.retain(|request| !is_opening(request));
+    send(shared, text, origin);
+}
+
+/// Has the engine open a model; one that is being opened already comes from elsewhere.
+fn send(shared: &mut Shared, text: String, origin: Origin) {
+    let at = |text: &str| {
+        shared
+            .talker
+            .is_at(|request| matches!(request, Request::OpenModel { text: it } if it == text))
+    };
+    shared.opening.retain(|(text, _)| at(text));
+    shared.opening.push((text.clone(), origin));
     shared.send(Request::OpenModel { text }, true);
 }
 
@@ -58,7 +68,8 @@ pub fn opened(shared: &mut Shared, text: &str, report: TrainReport) -> bool {
     if shared.document.model.as_ref().is_some_and(|model| model.report.model == text) {
         return false;
     }
-    let origin = std::mem::replace(&mut shared.opening, Origin::File);
+    let place = shared.opening.iter().position(|(opening, _)| opening == text);
+    let origin = place.map_or(Origin::File, |place| shared.opening.remove(place).1);
     if origin != Origin::Shipped {
         shared.record();
         shared.say((Text::of(shared.language).model_opened)(report.entries));

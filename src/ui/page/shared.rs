@@ -27,8 +27,8 @@ pub struct Shared {
     pub keep: Keep,
     /// Why there is no model, or not the one that was wanted.
     pub model_notice: Option<String>,
-    /// Where the model that is being opened comes from.
-    pub opening: Origin,
+    /// The models that are being opened, and where they come from.
+    pub opening: Vec<(String, Origin)>,
     /// What words that no lexicon knows may stand for.
     pub words: Resource,
     /// How deep the person looks.
@@ -54,7 +54,7 @@ impl Shared {
             history: History::new(),
             keep: Keep::default(),
             model_notice: None,
-            opening: Origin::Shipped,
+            opening: Vec::new(),
             words: Resource::default(),
             depth: Depth::default(),
             language: Language::default(),

@@ -93,6 +93,45 @@ flow('a phrase is taught by saying it in other words, by keyboard alone', async 
   }
 });
 
+flow('the keyboard alone shows a lesson, says it, and has it done', async (t) => {
+  const demo = await openPage(t);
+  const { keyboard } = demo.page;
+  const press = async (...keys) => {
+    for (const key of keys) await keyboard.press(key);
+  };
+  await demo.reach('mode-teach');
+  await press('Enter');
+  await demo.reach('room');
+  await press('ArrowUp', 'ArrowRight', 'ArrowUp', 'ArrowUp', 'r');
+  await t.equal(async () => (await demo.robot()).room, 'red', 'driven');
+  await demo.reach('lesson');
+  await keyboard.type('flump to the red room');
+  await press('Enter');
+  await demo.by('told').first().waitFor();
+  await t.equal(async () => (await demo.robot()).room, 'green', 'the room is as it was');
+  await demo.reach('command');
+  await press('Control+a');
+  await keyboard.type('flump to the blue room');
+  await press('Enter');
+  await demo.answered('flump');
+  await demo.planned();
+  await demo.finish();
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'what was never shown');
+});
+
+flow('a phrase of two things is taught by other words, and both are brought', async (t) => {
+  const demo = await openPage(t);
+  await demo.by('world').selectOption({ label: 'Hall' });
+  await demo.by('command').fill('tidy up means: put the chair and the bag in the red room');
+  await demo.press('ask');
+  await demo.by('learned').waitFor();
+  await demo.ask('tidy up');
+  await demo.planned();
+  await demo.finish();
+  await t.check(async () => /orange chair in the red room/.test(await demo.world()), () => demo.world());
+  await t.check(async () => /teal bag in the red room/.test(await demo.world()), () => demo.world());
+});
+
 flow('what words mean now is said in plain words at every depth', async (t) => {
   const demo = await openPage(t);
   await demo.mode('teach');

@@ -99,6 +99,36 @@ flow('a tab that was closed comes back in a new one, and two tabs do not keep th
   await t.until('what was said last', async () => (await third.by('command').inputValue()) === 'go to the red room');
 });
 
+flow('a page that dies comes back with what was said', async (t) => {
+  t.expect(/crashed|ERR_ABORTED/);
+  const demo = await openPage(t);
+  await demo.ask('go to the blue room');
+  await demo.finish();
+  await kept(demo, 'go to the blue room');
+  const died = demo.page.waitForEvent('crash');
+  const session = await t.context.newCDPSession(demo.page);
+  session.send('Page.crash').catch(() => {});
+  await died;
+  const again = new Demo(t, await t.open());
+  await again.ready();
+  await t.equal(() => again.by('resumed').getAttribute('data-origin'), 'Last', 'where it came from');
+  await t.equal(() => again.by('command').inputValue(), 'go to the blue room', 'what was said');
+  await t.equal(async () => (await again.robot()).room, 'blue', 'where the robot is');
+});
+
+flow('on a phone a saved file is opened, too', { viewport: { width: 390, height: 844 }, hasTouch: true }, async (t) => {
+  const demo = await openPage(t);
+  await demo.ask('go to the red room');
+  await demo.finish();
+  await demo.press('share');
+  const file = await demo.saved('save-session');
+  await demo.press('undo');
+  await demo.by('view-kept').tap();
+  await t.fits('what is kept on a phone');
+  await demo.by('session-file').setInputFiles({ name: 'groundling.json', mimeType: 'application/json', buffer: Buffer.from(file) });
+  await t.equal(() => demo.by('command').inputValue(), 'go to the red room', 'what it holds');
+});
+
 flow('a link is opened beside the session that is kept, and never over it', async (t) => {
   t.expect(/ERR_ABORTED/);
   const maker = await t.context.browser().newContext();

@@ -8,7 +8,7 @@ use groundling::ui::page::document::Origin;
 use groundling::ui::page::effect::Effect;
 use groundling::ui::page::files::Given;
 use groundling::ui::page::news::News;
-use groundling::worker::protocol::{Event, Request};
+use groundling::worker::protocol::{Event, Program, Request};
 
 #[test]
 fn it_is_fetched_once_when_its_page_is_opened() {
@@ -48,6 +48,20 @@ fn what_it_learned_is_used_and_can_be_undone() {
     page.act(Action::Undo);
     assert_eq!(page.asked(), &Request::OpenModel { text: "the model".to_owned() });
     assert_eq!(origin(&page), Some(Origin::Shipped));
+}
+
+#[test]
+fn models_that_are_opened_at_once_each_know_where_they_come_from() {
+    let mut page = Page::new();
+    page.hear(Program::Talker, 0, Event::Ready);
+    page.act(Action::Fetched(Ok("shipped".to_owned())));
+    let news = News::Use { text: "trained here".to_owned(), corpus: "six.csv".to_owned() };
+    page.act(Action::Bench(news));
+    let origin = |page: &Page| page.state.shared.document.base.as_ref().map(|m| m.origin.clone());
+    page.answer(Event::Opened(model("shipped")));
+    assert_eq!(origin(&page), Some(Origin::Shipped));
+    page.answer(Event::Opened(model("trained here")));
+    assert_eq!(origin(&page), Some(Origin::Trained("six.csv".to_owned())));
 }
 
 #[test]

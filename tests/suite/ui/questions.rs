@@ -16,6 +16,7 @@ fn questions_are_told_from_commands() {
     let about = |question: &str| query(question).map(|(query, about)| (query, about));
     let is = |kind, words: &str| Some((kind, words.to_owned()));
     assert_eq!(about("Where is the block?"), is(Query::Where, "go to the block"));
+    assert_eq!(about("Which room is the block in?"), is(Query::Where, "go to the block"));
     assert_eq!(about("where's the red chair"), is(Query::Where, "go to the red chair"));
     assert_eq!(about("where are you?"), is(Query::Where, "go to the robot"));
     assert_eq!(about("what is in the blue room?"), is(Query::Inside, "go to the blue room"));

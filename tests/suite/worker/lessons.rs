@@ -2,6 +2,7 @@
 //! taught by other words; no closed word gets a new meaning; and what was learned is told in plain words.
 
 use super::{only, pump};
+use groundling::ccg::any_closed;
 use groundling::domain::State;
 use groundling::worker::protocol::{
     Answer, Event, Lesson, Meaning, PairText, Refusal, Request, TeachReport, What, WorldRules,
@@ -101,6 +102,26 @@ fn by_other_words_nothing_known_gets_another_meaning() {
     assert_eq!(refusal("unless zip", blue), Some(Refusal::Closed("unless".to_owned())));
     assert_eq!(refusal("go to the red room", blue), Some(Refusal::Known));
     assert_eq!(refusal("zip", "frobnicate the gadget"), Some(Refusal::Lost));
+}
+
+#[test]
+fn a_phrase_of_two_things_is_taught_by_other_words() {
+    let words = "put the block and the chair in the blue room";
+    let report = teach(&[said("tidy up", words)]);
+    assert_eq!((report.understood, report.refusal), (vec![true], None));
+    let form = best(&report.model.model, "tidy up");
+    assert!(form.contains("block") && form.contains("chair") && form.contains("blue"), "{form}");
+}
+
+#[test]
+fn what_is_shown_gives_no_closed_word_a_meaning() {
+    for command in ["unless flump to the blue room", "flump and the blue room", "not so blue"] {
+        let report = teach(&[shown(command, (2, 6), (8, 6))]);
+        for entry in &report.added {
+            let words: Vec<&str> = entry.words.split(' ').collect();
+            assert!(!any_closed(&words), "{command}: {}", entry.words);
+        }
+    }
 }
 
 #[test]

@@ -19,46 +19,76 @@ pub enum Query {
     Else,
 }
 
+/// How questions begin, the longer before the shorter.
+const HEADS: [(&str, Query); 33] = [
+    ("which room is ", Query::Where),
+    ("what room is ", Query::Where),
+    ("where is ", Query::Where),
+    ("where's ", Query::Where),
+    ("where are ", Query::Where),
+    ("where am ", Query::Where),
+    ("what is in here", Query::World),
+    ("what is there", Query::World),
+    ("what is here", Query::World),
+    ("what is in ", Query::Inside),
+    ("what is inside ", Query::Inside),
+    ("what's in ", Query::Inside),
+    ("what's inside ", Query::Inside),
+    ("what do you see in ", Query::Inside),
+    ("what do you see", Query::World),
+    ("what do you understand", Query::Can),
+    ("what can you do", Query::Can),
+    ("what can i say", Query::Can),
+    ("what can i do", Query::Can),
+    ("help", Query::Can),
+    ("how many ", Query::Count),
+    ("is there ", Query::Is),
+    ("are there ", Query::Is),
+    ("is ", Query::Is),
+    ("are ", Query::Is),
+    ("am ", Query::Is),
+    ("where ", Query::Else),
+    ("what ", Query::Else),
+    ("which ", Query::Else),
+    ("who ", Query::Else),
+    ("why ", Query::Else),
+    ("when ", Query::Else),
+    ("how ", Query::Else),
+];
+
 /// The question that a sentence is, with the command whose phrase it is about; nothing for what is no question.
 pub fn query(sentence: &str) -> Option<(Query, String)> {
-    let bare = sentence.trim().trim_end_matches(['?', '.', '!', ' ']).to_lowercase();
-    let bare = bare.replace("where's ", "where is ").replace("what's ", "what is ");
-    let after = |heads: &[&str]| heads.iter().find_map(|head| bare.strip_prefix(head));
-    let go = |to: &str| format!("go to {}", object(to));
-    if ["help", "what can you do", "what can i say", "what do you understand", "what can i do"]
-        .contains(&&*bare)
-    {
-        return Some((Query::Can, String::new()));
-    }
-    if ["what is there", "what is here", "what do you see", "what is in here"].contains(&&*bare) {
-        return Some((Query::World, String::new()));
-    }
-    if let Some(what) = after(&["where is ", "where are ", "where am "]) {
-        return Some((Query::Where, go(what)));
-    }
-    if let Some(what) = after(&["what is in ", "what is inside ", "what do you see in "]) {
-        return Some((Query::Inside, go(what)));
-    }
-    if let Some(what) = after(&["how many "]) {
-        let what = what.split(" are ").next().unwrap_or(what);
-        let one = what.strip_suffix('s').unwrap_or(what);
-        return Some((Query::Count, format!("go to the {one}")));
-    }
-    if let Some(what) = after(&["is there ", "are there ", "is ", "are "]) {
-        let (thing, place) = what.split_once(" in ").or_else(|| what.split_once(" next to "))?;
-        let relation = &what[thing.len()..what.len() - place.len()];
-        return Some((
-            Query::Is,
+    let asks = sentence.trim_end().ends_with('?');
+    let bare = sentence.trim().trim_end_matches(['?', '.', '!', ' ']).to_ascii_lowercase();
+    let begins = |(head, kind): &(&str, Query)| {
+        let rest = bare.strip_prefix(head)?;
+        let fits = match kind {
+            Query::Can | Query::World => rest.is_empty(),
+            Query::Else => asks,
+            _ => true,
+        };
+        fits.then_some((*kind, rest))
+    };
+    let (kind, about) = HEADS.iter().find_map(begins)?;
+    let about = match kind {
+        Query::Where | Query::Inside => {
+            format!("go to {}", object(about.strip_suffix(" in").unwrap_or(about)))
+        }
+        Query::Count => {
+            let what = about.split(" are ").next().unwrap_or(about);
+            format!("go to the {}", what.strip_suffix('s').unwrap_or(what))
+        }
+        Query::Is => {
+            let at = about.find(" in ").or_else(|| about.find(" next to "))?;
+            let (thing, place) = about.split_at(at);
             match object(thing) {
-                "the robot" => format!("go{relation}{place}"),
-                thing => format!("put {thing}{relation}{place}"),
-            },
-        ));
-    }
-    let asks = ["where", "what", "which", "who", "why", "when", "how"];
-    let first = bare.split(' ').next().unwrap_or_default();
-    (asks.contains(&first) && sentence.trim_end().ends_with('?'))
-        .then(|| (Query::Else, String::new()))
+                "the robot" => format!("go{place}"),
+                thing => format!("put {thing}{place}"),
+            }
+        }
+        Query::World | Query::Can | Query::Else => String::new(),
+    };
+    Some((kind, about))
 }
 
 /// What the robot is called when it is spoken to.

@@ -115,17 +115,18 @@ pub fn add(state: &State, look: Look, (x, y): Place) -> Result<State, Obstacle> 
 /// # Errors
 /// What stands in the way.
 pub fn add_anywhere(state: &State, look: Look) -> Result<State, Obstacle> {
-    let mut rooms: Vec<Bounds> = state.rooms.iter().map(|room| room.bounds).collect();
-    rooms.sort_by_key(|b| std::cmp::Reverse(b.area()));
-    let mut cells: Vec<Place> = Vec::new();
-    for room in rooms {
-        let middle = ((room.left + room.right) / 2, (room.bottom + room.top) / 2);
-        let mut inside: Vec<Place> =
-            room.cells().filter(|&(x, y)| room.strictly_inside(x, y)).collect();
-        inside.sort_by_key(|&(x, y)| (x.abs_diff(middle.0) + y.abs_diff(middle.1), y, x));
-        cells.extend(inside);
-    }
-    let mut added = cells.into_iter().map(|cell| add(state, look, cell));
+    let places = |(number, room): (usize, &Room)| {
+        let bounds = room.bounds;
+        let middle = ((bounds.left + bounds.right) / 2, (bounds.bottom + bounds.top) / 2);
+        let inside = bounds.cells().filter(move |&(x, y)| bounds.strictly_inside(x, y));
+        inside.map(move |(x, y)| {
+            let away = x.abs_diff(middle.0) + y.abs_diff(middle.1);
+            (std::cmp::Reverse(bounds.area()), number, away, y, x)
+        })
+    };
+    let mut cells: Vec<_> = state.rooms.iter().enumerate().flat_map(places).collect();
+    cells.sort_unstable();
+    let mut added = cells.into_iter().map(|(.., y, x)| add(state, look, (x, y)));
     added.find(|one| *one != Err(Obstacle::Taken)).unwrap_or(Err(Obstacle::NoFloor))
 }
 

@@ -10,8 +10,8 @@ pub fn in_other_words(command: &str) -> Option<Lesson> {
     if phrase.split(' ').rev().nth(1).is_some_and(|before| before.eq_ignore_ascii_case("by")) {
         return None;
     }
-    let bare = |text: &str| text.trim_matches(|c: char| !c.is_alphanumeric()).to_owned();
-    let (command, words) = (bare(phrase), words.trim().to_owned());
+    let quotes = ['“', '”', '„', '"', '\'', ' '];
+    let (command, words) = (phrase.trim_matches(quotes).to_owned(), words.trim().to_owned());
     let means = Some(Meaning::Words(words));
     (!command.is_empty()).then(|| Lesson { command, pairs: Vec::new(), means })
 }
