@@ -3,7 +3,7 @@
 //! would come to the same in this world is one; and where one alone can be meant here, and every word was used, the
 //! world knows better than the sentence: nothing is asked, unless the probability is low indeed.
 
-use super::protocol::{Claim, Fate, Reading, Refers, Taken, Word};
+use super::protocol::{Claim, Fate, Reading, Refers, Taken, Word, lost};
 use crate::ccg::{Parse, Reason};
 
 /// Readings that are asked about at once.
@@ -25,7 +25,9 @@ pub(super) fn choices(
     doubt: Option<(f64, bool)>,
 ) -> Vec<usize> {
     let Some(best) = readings.first() else { return Vec::new() };
-    let is_doubtful = doubt.is_some_and(|(_, asks)| asks);
+    // Without what lies beyond the language a command says something else.
+    let is_beyond = words.iter().any(|word| lost(word).is_some());
+    let is_doubtful = is_beyond || doubt.is_some_and(|(_, asks)| asks);
     let rivals = readings.iter().take_while(|one| best.score - one.score <= FAR).count();
     let fits = |at: &usize| readings.get(*at).is_some_and(refers);
     // One of several may be there where another is not.
@@ -41,7 +43,13 @@ pub(super) fn choices(
             let is_low = doubt.is_some_and(|(probability, _)| probability < LOW);
             let others = readings.get(1..rivals).unwrap_or_default();
             let alone = !others.iter().any(|one| refers(one) && !is_same(one, best));
-            if alone && refers(best) && !is_low && taken.is_empty() && words.iter().all(is_used) {
+            if alone
+                && refers(best)
+                && !is_low
+                && taken.is_empty()
+                && !is_beyond
+                && words.iter().all(is_used)
+            {
                 return Vec::new();
             }
             (0..rivals).collect()

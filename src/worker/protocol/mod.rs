@@ -7,7 +7,9 @@ mod planning;
 mod reading;
 mod sheet;
 mod wire;
+mod beyond;
 
+pub use beyond::{Beyond, beyond, lost};
 pub use learning::{
     Check, Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport,
     Figures, Fit, Judgement, Lesson, MOST_TAUGHT, Meaning, PairText, Problem, Progress, Refusal,

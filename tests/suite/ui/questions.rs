@@ -5,8 +5,7 @@ use groundling::ui::help::guide::filled;
 use groundling::ui::talk;
 use groundling::ui::talk::command::query::{Query, query};
 use groundling::ui::talk::teach::other::in_other_words;
-use groundling::ui::talk::why::beyond::{Beyond, beyond};
-use groundling::worker::protocol::{Event, Meaning, Request};
+use groundling::worker::protocol::{Beyond, Event, Meaning, Request, beyond};
 
 const GUIDES: [&str; 2] =
     [include_str!("../../../www/help.en.html"), include_str!("../../../www/help.de.html")];

@@ -5,7 +5,7 @@ use super::{only, pump};
 use groundling::ccg::Model;
 use groundling::domain::State;
 use groundling::ui::page::world::WORLDS;
-use groundling::worker::protocol::{Answer, Event, Request, Wanted, WorldRules};
+use groundling::worker::protocol::{Answer, Event, Request, Wanted, WorldRules, lost};
 use groundling::worker::{Engine, Talker};
 
 const MODEL: &str = include_str!("../../../assets/model/cleanup.model");
@@ -110,4 +110,20 @@ fn what_can_be_meant_in_one_way_is_done_without_asking() {
     // One that nobody can be sure of is asked about.
     let answer = answer(&mut engine, "robot go blue", &state);
     assert!(answer.plan.is_none(), "{answer:?}");
+}
+
+#[test]
+fn what_lies_beyond_the_language_is_not_done_in_part_without_asking() {
+    let (mut engine, state) = (engine(), WORLDS[0].open().unwrap());
+    let commands = [
+        "put the block between the red room and the blue room",
+        "if the block is in the red room go to the blue room",
+        "move three steps to the blue room",
+        "go to the blue room slowly",
+    ];
+    for command in commands {
+        let answer = answer(&mut engine, command, &state);
+        assert!(answer.words.iter().any(|word| lost(word).is_some()), "{command}");
+        assert_eq!(answer.plan, None, "{command}");
+    }
 }

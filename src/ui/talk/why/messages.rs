@@ -1,7 +1,6 @@
 //! Why a command came to nothing, or to less than it might: what is wrong, what to do about it, and what the page can
 //! do at the press of a button.
 
-use super::beyond::beyond;
 use super::help::Help;
 use crate::domain::{Color, Lock, Shape};
 use crate::ui::page::document::Said;
@@ -12,7 +11,8 @@ use crate::ui::talk::room::edit::Look;
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::{
-    Answer, Article, Closed, Fate, Noun, Phrase, PlanText, Reading, Referent, Refers, Word,
+    Answer, Article, Closed, Fate, Noun, Phrase, PlanText, Reading, Referent, Refers, Word, beyond,
+    lost,
 };
 
 /// Help that is offered at most so often for one phrase.
@@ -98,10 +98,11 @@ fn parsing(text: &Text, answer: &Answer) -> Option<Message> {
 
 /// What lies beyond the language of what was not understood, the first of its kinds.
 fn beyond_language(text: &Text, answer: &Answer) -> Option<Message> {
-    let kinds = answer.words.iter().enumerate().filter_map(|(at, word)| {
-        let kind = beyond(&word.text)?;
-        kind.is_lost(word.fate).then_some((at, &*word.text, kind))
-    });
+    let kinds = answer
+        .words
+        .iter()
+        .enumerate()
+        .filter_map(|(at, word)| Some((at, &*word.text, lost(word)?)));
     let (first, _, kind) = kinds.clone().next()?;
     let words: Vec<&str> = kinds.filter(|one| one.2 == kind).map(|(_, word, _)| word).collect();
     let what = (text.beyond)(kind, &words);

@@ -1,6 +1,5 @@
 //! Why a command came to nothing, and what the page can do about it.
 
-pub mod beyond;
 pub mod help;
 pub mod messages;
 pub mod mend;

@@ -4,9 +4,8 @@ use super::table::{Faults, Helps, Meant, Text};
 use crate::ui::page::document::Origin;
 use crate::ui::page::grammar::German;
 use crate::ui::talk::room::edit::Obstacle;
-use crate::ui::talk::why::beyond::Beyond;
-use crate::worker::protocol::Refusal;
 use crate::worker::protocol::Why;
+use crate::worker::protocol::{Beyond, Refusal};
 
 /// The words.
 pub(super) static GERMAN: Text = Text {

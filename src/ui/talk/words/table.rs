@@ -5,8 +5,7 @@ use crate::ui::page::grammar::Phrases;
 use crate::ui::talk::room::edit::Obstacle;
 use crate::ui::talk::room::state::{Mode, Tool};
 use crate::ui::talk::watch::state::Layer;
-use crate::ui::talk::why::beyond::Beyond;
-use crate::worker::protocol::{Refusal, Runs, Why};
+use crate::worker::protocol::{Beyond, Refusal, Runs, Why};
 
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]

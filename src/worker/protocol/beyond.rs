@@ -1,6 +1,6 @@
 //! What lies beyond the language, by the words that it is said with: named as what it is, and not as an unknown word.
 
-use crate::worker::protocol::Fate;
+use super::reading::{Fate, Word};
 
 /// What lies beyond.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,6 +47,11 @@ impl Beyond {
             Fate::Meant => false,
         }
     }
+}
+
+/// What a word says that lies beyond the language and has no part in what was understood.
+pub fn lost(word: &Word) -> Option<Beyond> {
+    beyond(&word.text).filter(|beyond| beyond.is_lost(word.fate))
 }
 
 /// What a word says that lies beyond the language.
