@@ -4,6 +4,7 @@
 use super::learner::Learner;
 use super::protocol::{Event, Form, PairText, Request, RowReading, Split};
 use super::read::{parsed, reading, shown, words};
+use super::shard;
 use super::talker::report;
 use super::training::Training;
 use crate::ccg::{Model, probability};
@@ -67,6 +68,8 @@ impl Learner {
                 let model = model.ok_or("Nothing was trained yet.")?;
                 Event::Trained(report(&model, model.print()))
             }
+            Request::PlanRuns { matrix, settings } => shard::plan(sheet, &matrix, &settings)?,
+            Request::JoinRuns { plan, shards } => shard::joined(&plan, &shards)?,
             Request::Entries { view, offset, count } => self.entries(&view, offset, count)?,
             Request::Without { places } => {
                 let model = without(&self.model()?, &places);

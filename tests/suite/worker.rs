@@ -12,6 +12,8 @@ mod messages;
 mod plans;
 #[path = "worker/readings.rs"]
 mod readings;
+#[path = "worker/shards.rs"]
+mod shards;
 #[path = "worker/sheets.rs"]
 mod sheets;
 #[path = "worker/shipped.rs"]
