@@ -18,7 +18,7 @@ fn file() -> Vec<u8> {
     let post = PRE.replacen("\"x\":1", "\"x\":2", 1);
     let row = |n: usize| {
         format!(
-            "{{\"command\":\"go to cell {n}\",\"task\":\"t{}\",\"worker\":\"w{}\",\"pairs\":[{{\"pre\":{PRE},\"post\":{post}}}]}}\n",
+            "{{\"id\":\"a\",\"command\":\"go to cell {n}\",\"task\":\"t{}\",\"worker\":\"w{}\",\"pairs\":[{{\"pre\":{PRE},\"post\":{post}}}]}}\n",
             n % 23,
             n % 997
         )
