@@ -3,7 +3,7 @@
 //! ping is heard while it works.
 
 use super::job::{Engine, Role};
-use super::protocol::{Envelope, Event, Request, VERSION, decode, encode};
+use super::protocol::{Envelope, Event, Request, VERSION, encode};
 use js_sys::{JsString, Uint8Array};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -64,7 +64,7 @@ impl<R: Role + 'static> Agent<R> {
 
     fn hear(&self, data: &JsValue) {
         let bytes = data.dyn_ref::<Uint8Array>().map(Uint8Array::to_vec).unwrap_or_default();
-        let envelope = match decode::<Request>(&bytes) {
+        let envelope = match R::READ(&bytes) {
             Ok(envelope) => envelope,
             Err(error) => return self.refuse(&format!("This message is not a request: {error}.")),
         };

@@ -4,10 +4,14 @@
 use super::learner::Learner;
 use super::protocol::{Event, Form, PairText, Request, RowReading, Split};
 use super::read::{parsed, reading, shown, words};
+use super::shard;
 use super::talker::report;
-use crate::ccg::probability;
+use super::training::Training;
+use crate::ccg::{Model, probability};
 use crate::corpus::{Example, Pair, jsonl, preview, share, table};
 use crate::ground::{PairId, Validator};
+use crate::learn::audit::Rows;
+use crate::learn::inspect::{EntryView, difference, entries, without};
 use crate::learn::sheet::{Half, Sheet};
 use crate::logic::read as read_term;
 use std::io::Cursor;
@@ -65,17 +69,49 @@ impl Learner {
                 let model = model.ok_or("Nothing was trained yet.")?;
                 Event::Trained(report(&model, model.print()))
             }
+            Request::PlanRuns { matrix, settings } => shard::plan(sheet, &matrix, &settings)?,
+            Request::JoinRuns { plan, shards } => shard::joined(&plan, &shards)?,
+            Request::Entries { view, offset, count } => self.entries(&view, offset, count)?,
+            Request::Without { places } => {
+                let model = without(&self.model()?, &places);
+                Event::Trained(report(&model, model.print()))
+            }
+            Request::Compare { first, second } => {
+                let [first, second] =
+                    [(first, "first"), (second, "second")].map(|(text, which)| {
+                        Model::read(&text)
+                            .map_err(|error| format!("The {which} model cannot be read: {error}."))
+                    });
+                Event::Difference(Box::new(difference(&first?, &second?)))
+            }
             other => {
                 return Err(super::job::misdirected(&other, super::protocol::Program::Learner));
             }
         })
     }
 
+    /// The model that was audited, or else trained last.
+    fn model(&self) -> Result<Model, String> {
+        let audited = self.audit.as_ref().map(|audit| audit.model().clone());
+        let trained = || self.training.as_ref().and_then(|training| training.model());
+        Ok(audited.or_else(trained).ok_or("There is no model yet: train one, or open one.")?)
+    }
+
+    fn entries(&mut self, view: &EntryView, offset: u32, count: u32) -> Result<Event, String> {
+        let origins = self.training.as_ref().map(Training::origins).unwrap_or_default();
+        let asked = (view, offset, count);
+        let window = match &self.audit {
+            Some(audit) => entries(audit.model(), asked, &origins, |id| audit.uses(id)),
+            None => entries(&self.model()?, asked, &origins, |_| Rows::default()),
+        };
+        Ok(Event::Entries(Box::new(window)))
+    }
+
     /// What the model that was audited makes of a row.
     fn read_row(&mut self, row: u32) -> Result<Event, String> {
         let example = example(&self.sheet, row as usize)?.clone();
         let audit = self.audit.as_mut().ok_or("No model was asked about the rows yet.")?;
-        let model = audit.model();
+        let model = audit.model_mut();
         let parse = parsed(model, &example.command);
         let mut validator = Validator::new();
         let ids: Vec<PairId> =

@@ -1,15 +1,17 @@
 //! An engine: one job at a time for one of the page's programs, pumped step by step by whoever owns it: the page's
 //! worker, tests and benches alike; a step does a bounded amount of work. What there is to be done is its role's.
 
-use super::protocol::{Event, Program, Request};
+use super::protocol::{Event, Program, Reader, Request, decode};
 use std::collections::VecDeque;
 
 /// What a program of the page keeps, and how it begins what is asked of it.
 pub trait Role: Default {
     /// Which program that is.
     const PROGRAM: Program;
+    /// How it reads what it is asked.
+    const READ: Reader<Request> = decode;
 
-    /// Begins what is asked, or says why it cannot. Nothing that is kept may change before the job is over.
+    /// Begins what is asked, or says why it cannot. Nothing that was loaded may change before the job is over.
     ///
     /// # Errors
     /// In words: what is wrong with the request, or that it is the other program's.

@@ -10,6 +10,7 @@ use super::protocol::{
     PairText, Program, Request, RowSummary, Rules, SeedLexicon, Settings, SheetReport, TeachReport,
     TrainSettings,
 };
+use super::shard;
 use super::talker::report;
 use super::training::Training;
 use crate::ccg::{EntryText, Model};
@@ -45,6 +46,7 @@ impl Role for Learner {
             Request::Train { lexicon, settings } => self.learn(&all_of(lexicon, settings), None),
             Request::Learn { settings, resume } => self.learn(&settings, resume.as_deref()),
             Request::Audit { model, rules } => self.audit(model.as_deref(), rules),
+            Request::RunShard { plan, runs } => shard::run(&self.sheet, &plan, runs),
             Request::Teach { model, examples } => teach(&model, examples),
             Request::Experiment { experiment, settings } => {
                 let lexicon = SeedLexicon::Domain;
@@ -104,7 +106,7 @@ impl Learner {
             }
             None => {
                 let trained = self.training.as_ref().and_then(Training::model);
-                let known = || self.audit.as_mut().map(|audit| audit.model().clone());
+                let known = || self.audit.as_ref().map(|audit| audit.model().clone());
                 trained.or_else(known).ok_or("There is no model yet: train one, or open one.")?
             }
         };

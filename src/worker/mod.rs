@@ -16,6 +16,7 @@ mod experiment;
 mod lesson;
 mod training;
 mod learner;
+mod shard;
 mod bench;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;

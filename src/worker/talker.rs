@@ -5,7 +5,9 @@ use super::ask::{Asked, Asking, answer};
 use super::examples::Looking;
 use super::job::{Job, Role, Step, misdirected, say};
 use super::plan::{Begun, Planned, Planning};
-use super::protocol::{Event, MOST_RUNS, PlanText, Program, Request, TrainReport, WorldRules};
+use super::protocol::{
+    Event, MOST_RUNS, PlanText, Program, Reader, Request, TrainReport, WorldRules, decode_asked,
+};
 use super::read::{parsed, studies};
 use super::watch::{Rolling, Valuing};
 use super::world;
@@ -30,6 +32,7 @@ pub struct Talker {
 
 impl Role for Talker {
     const PROGRAM: Program = Program::Talker;
+    const READ: Reader<Request> = decode_asked;
 
     fn begin(&mut self, request: Request) -> Result<Job<Talker>, String> {
         match request {

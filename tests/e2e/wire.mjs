@@ -3,8 +3,8 @@
 
 const VERSION = 9;
 /** Places of the kinds in `Request` and `Event`. */
-const REQUESTS = { plan: 8, values: 9, roll_out: 10 };
-const EVENTS = { 12: 'planning', 13: 'planned', 14: 'values', 15: 'rolling_out', 16: 'rolled_out' };
+const REQUESTS = { plan: 6, values: 7, roll_out: 8 };
+const EVENTS = { 9: 'planning', 10: 'planned', 11: 'values', 12: 'rolling_out', 13: 'rolled_out' };
 
 /** A whole number, seven bits a byte, the lowest first. */
 function whole(n) {

@@ -3,26 +3,34 @@
 
 mod learning;
 mod message;
+mod request;
+mod event;
 mod planning;
 mod reading;
 mod sheet;
 mod wire;
+mod talk;
 mod beyond;
 
 pub use beyond::{Beyond, beyond, lost};
+pub use event::Event;
 pub use learning::{
     Check, Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport,
     Figures, Fit, Judgement, Lesson, MOST_TAUGHT, Meaning, PairText, Problem, Progress, Refusal,
     RowSummary, RunPart, RunReport, TaskFigures, TeachReport, Told, TrainReport, TrainSettings,
     What,
 };
-pub use message::{Envelope, Event, Program, Request, VERSION, Wanted};
+pub use message::{Envelope, Program, VERSION};
 pub use planning::{
     Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
 };
 pub use reading::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Taken, Word};
-pub use sheet::{Checkpoint, Fault, FileReport, Form, MappedFile, RowReading, SheetReport, Split};
-pub use wire::{WireError, decode, encode};
+pub use request::{Request, Wanted};
+pub use sheet::{
+    Checkpoint, Fault, FileReport, Form, Joined, MappedFile, RowReading, SheetReport, Split,
+};
+pub use talk::{decode_asked, decode_said};
+pub use wire::{Reader, WireError, decode, encode};
 
 // What comes from further down and crosses as it is.
 pub use crate::ccg::closed::Kind as Closed;
@@ -32,6 +40,7 @@ pub use crate::ground::{Article, Claim, Description, Noun, Shade};
 pub use crate::learn::audit::{Errors, Rows};
 pub use crate::learn::inspect::{Difference, EntryLine, EntrySort, EntryView, EntryWindow};
 pub use crate::learn::look::Look;
+pub use crate::learn::runs::Matrix;
 pub use crate::learn::settings::{Lexicon, SeedLexicon, Settings};
 pub use crate::learn::sheet::{
     Care, Facets, Half, Line, Outcome, Rule, Rules, Status, Verdict, View, Window,

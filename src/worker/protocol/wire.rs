@@ -17,6 +17,9 @@ pub enum WireError {
     Malformed,
 }
 
+/// What makes messages of bytes.
+pub type Reader<T> = fn(&[u8]) -> Result<Envelope<T>, WireError>;
+
 /// A message as bytes.
 ///
 /// # Errors
@@ -30,6 +33,11 @@ pub fn encode<T: Serialize>(envelope: &Envelope<T>) -> Result<Vec<u8>, WireError
 /// # Errors
 /// When they are of another version, or no message.
 pub fn decode<T: DeserializeOwned>(bytes: &[u8]) -> Result<Envelope<T>, WireError> {
+    read(bytes)
+}
+
+/// Reads what begins with the version.
+pub(super) fn read<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, WireError> {
     match postcard::take_from_bytes::<u32>(bytes) {
         Ok((VERSION, _)) => postcard::from_bytes(bytes).map_err(|_| WireError::Malformed),
         Ok(_) => Err(WireError::Version),

@@ -12,7 +12,7 @@ use groundling::worker::protocol::{
     Piece, PlanProgress, PlanText, Problem, Program, Progress, Reading, Referent, Refers, Refusal,
     Request, RowSummary, RunPart, RunReport, Runs, SeedLexicon, Shade, Study, Taken, TaskFigures,
     TeachReport, Told, TrainReport, VERSION, ValueMap, Wanted, What, Why, WireError, Word,
-    WorldRules, decode, encode,
+    WorldRules, decode, decode_asked, decode_said, encode,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use serde::{Serialize, de::DeserializeOwned};
@@ -37,6 +37,27 @@ fn come_back<T: Serialize + DeserializeOwned + PartialEq + Debug + Clone>(
             assert_eq!(decode::<T>(&bytes[..length]), Err(WireError::Malformed), "{envelope:?}");
         }
     }
+}
+
+#[test]
+fn page_and_talker_read_their_part_of_the_protocol_and_no_more() {
+    for (id, body) in (1..).zip(requests()) {
+        let is_asked = !matches!(
+            body.program(),
+            Some(Program::Learner) | None if !matches!(body, Request::Cancel | Request::Ping)
+        );
+        let envelope = Envelope { groundling: VERSION, id, body };
+        let read = decode_asked(&encode(&envelope).unwrap());
+        let wanted = if is_asked { Ok(envelope) } else { Err(WireError::Malformed) };
+        assert_eq!(read, wanted);
+    }
+    let said = events().into_iter().zip(1..).filter(|(body, id)| {
+        let envelope = Envelope { groundling: VERSION, id: *id, body: body.clone() };
+        let read = decode_said(&encode(&envelope).unwrap());
+        assert!(read == Err(WireError::Malformed) || read.as_ref() == Ok(&envelope));
+        read.is_ok()
+    });
+    assert_eq!(said.map(|(body, _)| discriminant(&body)).collect::<HashSet<_>>().len(), 18);
 }
 
 #[test]
@@ -122,6 +143,10 @@ fn requests_come_back_from_the_wire() {
 
 #[test]
 fn events_come_back_from_the_wire() {
+    come_back(&events(), 25);
+}
+
+fn events() -> Vec<Event> {
     let pair = six()[0].pairs[0].clone();
     let states = vec![pair.pre.clone(), pair.post.clone()];
     let world = pair.pre.clone();
@@ -284,7 +309,7 @@ fn events_come_back_from_the_wire() {
         learned: true,
     };
     let part = Part { feature: "skip".to_owned(), count: 1, weight: 0.1, adds: 0.1 };
-    let messages = [
+    vec![
         Event::Ready,
         Event::Pong,
         Event::Crashed { message: "at line 1".to_owned() },
@@ -322,6 +347,5 @@ fn events_come_back_from_the_wire() {
         Event::RolledOut(runs),
         Event::Refused { message: "no".to_owned() },
         Event::Cancelled,
-    ];
-    come_back(&messages, 25);
+    ]
 }

@@ -9,7 +9,7 @@ use crate::ui::page::view::host::{self, beside};
 use crate::ui::page::view::keeper::Keeper;
 use crate::ui::page::view::save::save;
 use crate::ui::page::view::worker::Engine;
-use crate::worker::protocol::Program;
+use crate::worker::protocol::{Program, decode_said};
 use gloo_timers::callback::Timeout;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
@@ -70,7 +70,7 @@ impl Effects {
                     Ok(envelope) => Action::Heard(program, envelope),
                     Err(why) => Action::EngineBroke(program, why),
                 });
-                let engine = Engine::spawn(program, &told)?;
+                let engine = Engine::spawn(program, decode_said, &told)?;
                 if program == Program::Talker {
                     engine.give(&own_program()?)?;
                 }

@@ -3,7 +3,7 @@
 
 use super::host::beside;
 use super::save::object_url;
-use crate::worker::protocol::{Envelope, Event, Program, Request, decode, encode};
+use crate::worker::protocol::{Envelope, Event, Program, Reader, Request, encode};
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
@@ -33,8 +33,12 @@ impl Drop for Engine {
 }
 
 impl Engine {
-    /// Starts an engine; what it says goes to `told`.
-    pub(crate) fn spawn(program: Program, told: &Callback<Said>) -> Result<Engine, JsValue> {
+    /// Starts an engine; what it says goes to `told`, read by `read`.
+    pub(crate) fn spawn(
+        program: Program,
+        read: Reader<Event>,
+        told: &Callback<Said>,
+    ) -> Result<Engine, JsValue> {
         let url = beside(SCRIPT)?;
         url.set_search(program.name());
         let options = WorkerOptions::new();
@@ -52,7 +56,7 @@ impl Engine {
             // The script around the engine has nothing but words, for when there is no engine.
             let why =
                 || data.as_string().unwrap_or_else(|| "It sent a message that is none.".to_owned());
-            heard.emit(match bytes.map(|bytes| decode(&bytes)) {
+            heard.emit(match bytes.map(|bytes| read(&bytes)) {
                 Some(said) => said.map_err(|error| format!("A message is wrong: {error}.")),
                 None => Err(why()),
             });

@@ -5,7 +5,7 @@ use crate::ui::page::view::save::{save, save_bytes};
 use crate::ui::page::view::worker::Engine;
 use crate::ui::train::action::Action;
 use crate::ui::train::effect::Effect;
-use crate::worker::protocol::Program;
+use crate::worker::protocol::{Program, decode};
 use gloo_timers::callback::Timeout;
 use js_sys::Function;
 use wasm_bindgen::JsValue;
@@ -41,7 +41,7 @@ impl Effects {
                     Ok(envelope) => Action::Heard(program, envelope),
                     Err(why) => Action::EngineBroke(program, why),
                 });
-                self.learner = Some(Engine::spawn(program, &told)?);
+                self.learner = Some(Engine::spawn(program, decode, &told)?);
             }
             Effect::Post(_, envelope) => {
                 if let Some(engine) = &self.learner {
