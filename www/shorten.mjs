@@ -1,9 +1,10 @@
 // Run by Trunk when the site is built for release: what a program and its script give each other gets short names in
-// both, and the script loses its indents and comments. Half of wasm-bindgen's names are hashes, which nothing packs.
+// both, and all scripts lose their indents and comments. Half of wasm-bindgen's names are hashes, which nothing packs.
 
 import { readFile, readdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 
+const CUSTOM = 0;
 const IMPORTS = 2;
 const EXPORTS = 7;
 /** The names that wasm-bindgen makes. */
@@ -64,7 +65,7 @@ function number(value) {
 
 const name = (text) => Buffer.concat([number(Buffer.byteLength(text)), Buffer.from(text)]);
 
-/** A program with short names, and the name that each has now. */
+/** A program with short names and without what only tools read, and the name that each has now. */
 function shortened(program) {
   const names = new Map();
   const short = (long) => {
@@ -90,7 +91,7 @@ function shortened(program) {
       const body = [number(count), ...Array.from({ length: count }, () => entry(reader, section))];
       const bytes = Buffer.concat(body);
       parts.push(Buffer.from([section]), number(bytes.length), bytes);
-    } else {
+    } else if (section !== CUSTOM) {
       parts.push(program.subarray(start, end));
     }
     reader.at = end;
@@ -106,12 +107,13 @@ function trimmed(script, names) {
 
 const folder = process.env.TRUNK_STAGING_DIR;
 if (process.env.TRUNK_PROFILE === 'release') {
-  const programs = (await readdir(folder)).filter((file) => file.endsWith('_bg.wasm'));
-  await Promise.all(programs.map(async (file) => {
+  const files = await readdir(folder);
+  await Promise.all(files.filter((file) => file.endsWith('.js')).map(async (file) => {
     const at = path.join(folder, file);
-    const beside = at.replace(/_bg\.wasm$/, '.js');
-    const { program, names } = shortened(await readFile(at));
-    await writeFile(at, program);
-    await writeFile(beside, trimmed(await readFile(beside, 'utf8'), names));
+    const beside = file.replace(/\.js$/, '_bg.wasm');
+    const has = files.includes(beside);
+    const { program, names } = has ? shortened(await readFile(path.join(folder, beside))) : { names: new Map() };
+    if (has) await writeFile(path.join(folder, beside), program);
+    await writeFile(at, trimmed(await readFile(at, 'utf8'), names));
   }));
 }

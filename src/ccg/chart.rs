@@ -6,6 +6,7 @@ use super::category::Category;
 use super::clauses::Clauses;
 use super::combinator::{Grammar, Made, RuleId};
 use super::syntax::SyntaxId;
+use crate::logic::order::sort_by_key;
 use std::cmp::Ordering;
 
 /// Which derivations of an edge a chart keeps.
@@ -212,7 +213,7 @@ impl Chart {
                 (edges.len() > beam).then_some(edges)
             })
             .collect();
-        crowds.sort_unstable_by_key(|crowd| crowd.start);
+        sort_by_key(&mut crowds, |crowd| crowd.start);
         crowds.into_iter()
     }
 

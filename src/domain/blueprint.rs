@@ -238,8 +238,11 @@ fn split(from: i32, to: i32, n: u32, rng: &mut Pcg64Mcg) -> Option<Vec<i32>> {
     if n == 0 || over < 0 {
         return None;
     }
-    let mut extra: Vec<i32> = (1..n).map(|_| rng.random_range(0..=over)).collect();
-    extra.sort_unstable();
+    let mut extra: Vec<i32> = Vec::new();
+    for _ in 1..n {
+        let one = rng.random_range(0..=over);
+        extra.insert(extra.partition_point(|&other| other <= one), one);
+    }
     let inner = (1..).zip(extra).map(|(i, extra)| from + i * narrowest + extra);
     Some(std::iter::once(from).chain(inner).chain(std::iter::once(to)).collect())
 }

@@ -249,18 +249,17 @@ fn cells(marks: &Marks, mark: char) -> Vec<Cell> {
 }
 
 fn read_agent(marks: &Marks, line: usize) -> Result<Agent, TextError> {
-    let mut all: Vec<(Cell, Direction)> = Direction::ALL
+    let all: Vec<(Cell, Direction)> = Direction::ALL
         .iter()
         .flat_map(|d| cells(marks, d.letter()).into_iter().map(|c| (c, *d)))
         .collect();
-    all.sort_by_key(|(c, _)| (c.line, c.column));
-    match all[..] {
-        [(Cell { x, y, .. }, direction)] => Ok(Agent { x, y, direction }),
-        [] => {
+    match all.iter().max_by_key(|(c, _)| (c.line, c.column)) {
+        Some(&(Cell { x, y, .. }, direction)) if all.len() == 1 => Ok(Agent { x, y, direction }),
+        None => {
             let message = "the map has no robot: put one of ^ v < > somewhere".into();
             Err(TextError { line, column: 1, message })
         }
-        [_, (Cell { line, column, .. }, _), ..] => {
+        Some(&(Cell { line, column, .. }, _)) => {
             let message = "the map has a second robot: there is only one".into();
             Err(TextError { line, column, message })
         }

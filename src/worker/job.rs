@@ -87,7 +87,7 @@ impl<R: Role> Engine<R> {
 
     /// Takes a request; what was at work is cancelled, and what it would have replaced stays.
     pub fn start(&mut self, id: u32, request: Request) {
-        if request == Request::Ping {
+        if matches!(request, Request::Ping) {
             return self.said.push_back((id, Event::Pong));
         }
         let pace = match request {
@@ -109,7 +109,7 @@ impl<R: Role> Engine<R> {
         }
         self.pace = Pace::Go;
         self.said.extend(self.work.take().map(|(id, _)| (id, Event::Cancelled)));
-        if request == Request::Cancel {
+        if matches!(request, Request::Cancel) {
             return;
         }
         match self.role.begin(request) {

@@ -4,7 +4,7 @@
 
 use super::protocol::{Check, Fit, Lesson, Meaning, PairText, Refusal, Told, What};
 use crate::ccg::{
-    Atom, ChartConfig, EntryId, Model, Origin, Parse, SyntaxId, closed, composed_words, parse_words,
+    Atom, ChartConfig, EntryId, Model, Origin, Parse, SyntaxId, closed, parse_words, words,
 };
 use crate::domain::{Cell, State, cell_at};
 use crate::ground::{Goal, Validator, claim, noun};
@@ -21,7 +21,7 @@ const MOST_FITS: usize = 3;
 /// Why it cannot have it.
 pub(super) fn mean(model: &mut Model, lesson: &Lesson) -> Result<(), Refusal> {
     let Some(means) = &lesson.means else { return Ok(()) };
-    let words = composed_words(&lesson.command);
+    let said = words(&lesson.command);
     let own = parsed(model, &lesson.command);
     let goal = match means {
         Meaning::Form(form) => read(&mut model.grammar.terms, form).map_err(|_| Refusal::Lost)?,
@@ -35,11 +35,11 @@ pub(super) fn mean(model: &mut Model, lesson: &Lesson) -> Result<(), Refusal> {
         }
     };
     let is_own = own.readings.iter().any(|reading| reading.form == goal);
-    let closed = closed(&words).iter().position(Option::is_some).filter(|_| !is_own);
-    if let Some(word) = closed.and_then(|at| words.get(at)) {
+    let closed = closed(&said).iter().position(Option::is_some).filter(|_| !is_own);
+    if let Some(word) = closed.and_then(|at| said.get(at)) {
         return Err(Refusal::Closed(word.clone()));
     }
-    model.add_idiom(&words, goal).map_err(|_| Refusal::Lost)
+    model.add_idiom(&said, goal).map_err(|_| Refusal::Lost)
 }
 
 /// Whether the one answer to a lesson's command is what it says that it means.
@@ -148,5 +148,5 @@ fn like(model: &Model, id: EntryId) -> Option<String> {
 
 fn parsed(model: &mut Model, command: &str) -> Parse {
     let config = ChartConfig::of(model);
-    parse_words(model, composed_words(command), config)
+    parse_words(model, words(command), config)
 }

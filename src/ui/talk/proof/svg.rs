@@ -1,7 +1,7 @@
 //! A derivation as a picture that stands for itself: dark on white, with its fonts named in it.
 
 use super::font::Kind;
-use super::layout::Proof;
+use super::layout::{Proof, Text};
 use std::fmt::Write;
 
 const SANS: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Noto Sans', sans-serif";
@@ -11,9 +11,11 @@ const CODE: &str = "ui-monospace, 'SF Mono', 'Cascadia Mono', 'DejaVu Sans Mono'
 pub fn svg(proof: &Proof) -> String {
     let (width, height) = (proof.width.ceil(), proof.height.ceil());
     let words = proof.texts.iter().filter(|text| matches!(text.kind, Kind::Word | Kind::Skipped));
-    let mut words: Vec<_> = words.collect();
-    words.sort_by_key(|text| text.words);
-    let title: Vec<String> = words.iter().map(|text| escaped(&text.text)).collect();
+    let mut in_order: Vec<&Text> = Vec::new();
+    for word in words {
+        in_order.insert(in_order.partition_point(|other| other.words <= word.words), word);
+    }
+    let title: Vec<String> = in_order.iter().map(|text| escaped(&text.text)).collect();
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\" role=\"img\">\n<title>{}</title>\n\

@@ -124,10 +124,9 @@ pub fn add_anywhere(state: &State, look: Look) -> Result<State, Obstacle> {
             (std::cmp::Reverse(bounds.area()), number, away, y, x)
         })
     };
-    let mut cells: Vec<_> = state.rooms.iter().enumerate().flat_map(places).collect();
-    cells.sort_unstable();
-    let mut added = cells.into_iter().map(|(.., y, x)| add(state, look, (x, y)));
-    added.find(|one| *one != Err(Obstacle::Taken)).unwrap_or(Err(Obstacle::NoFloor))
+    let cells = state.rooms.iter().enumerate().flat_map(places);
+    let free = cells.filter(|&(.., y, x)| add(state, look, (x, y)) != Err(Obstacle::Taken));
+    free.min().map_or(Err(Obstacle::NoFloor), |(.., y, x)| add(state, look, (x, y)))
 }
 
 /// Paints a room: one cell inside a room gives it a colour, a rectangle between two corners is a new room, walls
