@@ -12,7 +12,7 @@ const GUIDES: [&str; 2] =
 
 #[test]
 fn questions_are_told_from_commands() {
-    let about = |question: &str| query(question).map(|(query, about)| (query, about));
+    let about = query;
     let is = |kind, words: &str| Some((kind, words.to_owned()));
     assert_eq!(about("Where is the block?"), is(Query::Where, "go to the block"));
     assert_eq!(about("Which room is the block in?"), is(Query::Where, "go to the block"));
