@@ -8,7 +8,6 @@ use groundling::worker::protocol::{
     View, encode,
 };
 use groundling::worker::{Engine, Learner};
-use std::time::Instant;
 
 const ROWS: usize = 100_000;
 
@@ -28,11 +27,9 @@ fn file() -> Vec<u8> {
 
 /// What a request brings about, and how many bytes of it cross.
 fn ask(engine: &mut Engine<Learner>, what: &str, request: Request) -> Event {
-    let started = Instant::now();
     let event = only(pump(engine, 2, request));
     let sent = Envelope { groundling: VERSION, id: 2, body: event.clone() };
     let bytes = encode(&sent).unwrap().len();
-    println!("{what}: {:?}, {bytes} bytes", started.elapsed());
     assert!(bytes < 200_000, "{what}: {bytes} bytes");
     event
 }
@@ -40,9 +37,7 @@ fn ask(engine: &mut Engine<Learner>, what: &str, request: Request) -> Event {
 #[test]
 fn a_hundred_thousand_rows_are_worked_on() {
     let bytes = file();
-    println!("{} bytes", bytes.len());
     let mut engine = Engine::new();
-    let started = Instant::now();
     let mapped = MappedFile {
         file: CorpusFile { name: "large.jsonl".to_owned(), bytes },
         mapping: Mapping::default(),
@@ -56,7 +51,6 @@ fn a_hundred_thousand_rows_are_worked_on() {
             other => panic!("{other:?}"),
         }
     };
-    println!("read: {:?}", started.elapsed());
     assert!(reports > 100, "{reports}");
     assert_eq!((report.care.rows, report.faults.len()), (ROWS as u32, 0));
     let window = |engine: &mut Engine<Learner>, what: &str, view: View, offset: u32| {
