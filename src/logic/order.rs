@@ -42,23 +42,3 @@ fn sorted(count: usize, order: &mut dyn FnMut(usize, usize) -> Ordering) -> Vec<
     places.sort_by(|&a, &b| order(a, b));
     places
 }
-
-#[cfg(test)]
-mod tests {
-    use super::sort_by_key;
-    use proptest::prelude::{Strategy, any, prop, proptest};
-
-    fn items() -> impl Strategy<Value = Vec<(u8, u32)>> {
-        prop::collection::vec((any::<u8>(), any::<u32>()), 0..200)
-    }
-
-    proptest! {
-        #[test]
-        fn it_sorts_as_the_standard_library_does(items in items()) {
-            let (mut own, mut theirs) = (items.clone(), items);
-            sort_by_key(&mut own, |item| item.0 % 16);
-            theirs.sort_by_key(|item| item.0 % 16);
-            assert_eq!(own, theirs);
-        }
-    }
-}

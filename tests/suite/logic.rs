@@ -3,6 +3,8 @@
 
 #[path = "logic/hostile.rs"]
 mod hostile;
+#[path = "logic/order.rs"]
+mod order;
 #[path = "logic/properties.rs"]
 mod properties;
 #[path = "logic/reference.rs"]
