@@ -7,6 +7,29 @@ use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Preferences;
 use crate::worker::protocol::{Envelope, Event, Program};
 
+/// The parts that can be seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// The corpus.
+    #[default]
+    Data,
+    /// Training.
+    Run,
+}
+
+impl Tab {
+    /// All of them, in order.
+    pub const ALL: [Tab; 2] = [Tab::Data, Tab::Run];
+
+    /// What it is called in the page's code.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Tab::Data => "data",
+            Tab::Run => "run",
+        }
+    }
+}
+
 /// Something that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
@@ -15,6 +38,8 @@ pub enum Action {
     /// Something was done about training.
     Run(run::Action),
 
+    /// Another part was chosen.
+    Turn(Tab),
     /// It is to be seen, or no more.
     Shown(bool),
     /// The page is in another language.

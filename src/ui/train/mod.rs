@@ -9,6 +9,7 @@ pub mod data;
 pub mod run;
 pub mod action;
 pub mod state;
+pub mod restart;
 pub mod hear;
 pub mod update;
 #[cfg(target_arch = "wasm32")]

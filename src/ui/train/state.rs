@@ -1,5 +1,6 @@
 //! The state of the workbench: what its parts share, and each part's own.
 
+use super::action::Tab;
 use super::desk::Desk;
 use super::{data, run};
 
@@ -10,6 +11,8 @@ pub struct State {
     pub desk: Desk,
     /// Whether it is to be seen.
     pub shown: bool,
+    /// The part that is seen.
+    pub tab: Tab,
     /// The corpus.
     pub data: data::State,
     /// Training.

@@ -5,6 +5,7 @@ use crate::ui::page::view::save::{save, save_bytes};
 use crate::ui::page::view::worker::Engine;
 use crate::ui::train::action::Action;
 use crate::ui::train::effect::Effect;
+use crate::ui::train::run;
 use crate::worker::protocol::Program;
 use gloo_timers::callback::Timeout;
 use js_sys::Function;
@@ -51,6 +52,10 @@ impl Effects {
             Effect::Watch(program, watch, ms) => {
                 let act = self.act.clone();
                 Timeout::new(ms, move || act.emit(Action::Look(program, watch))).forget();
+            }
+            Effect::Ring(number, ms) => {
+                let act = self.act.clone();
+                Timeout::new(ms, move || act.emit(Action::Run(run::Action::Rang(number)))).forget();
             }
             Effect::Tell(news) => {
                 let [kind, text, corpus] = news.words();

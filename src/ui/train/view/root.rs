@@ -2,13 +2,14 @@
 //! [`Effects`]. While it is not to be seen it draws nothing, and goes on with its work.
 
 use super::effects::Effects;
+use super::tabs::tabs;
 use crate::ui::page::view::stopped::stopped;
 use crate::ui::page::view::{files, host};
 use crate::ui::page::words::Text as Common;
-use crate::ui::train::action::Action;
+use crate::ui::train::action::{Action, Tab};
 use crate::ui::train::data;
-use crate::ui::train::data::view::corpus;
-use crate::ui::train::run::view::training;
+use crate::ui::train::data::view::panel as data_panel;
+use crate::ui::train::run::view::panel as run_panel;
 use crate::ui::train::state::State;
 use crate::ui::train::update::reduce;
 use js_sys::Function;
@@ -68,6 +69,7 @@ impl Component for Workbench {
         match message {
             Message::Bench(action) => {
                 let shown = self.state.shown;
+                self.state.desk.clock = host::now();
                 let effects = reduce(&mut self.state, action);
                 self.effects.run(effects);
                 shown || self.state.shown
@@ -77,7 +79,7 @@ impl Component for Workbench {
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let State { desk, shown, data, run } = &self.state;
+        let State { desk, shown, tab, data, run } = &self.state;
         if !shown {
             return Html::default();
         }
@@ -102,9 +104,14 @@ impl Component for Workbench {
             <div class={classes!("page", self.dragging.then_some("dragging"))} data-drop={common.drop_here}
                 ondragover={drag(true)} ondragleave={drag(false)} ondrop={drop}>
                 { stopped(desk.language, &desk.learner, &act.reform(Action::RestartEngine)) }
-                <main class="columns train">
-                    { training(run, desk, data.commands(), &act.reform(Action::Run), &offer) }
-                    { corpus(data, desk, &act.reform(Action::Data)) }
+                <main>
+                    { tabs(desk.language, *tab, &act.reform(Action::Turn)) }
+                    <div role="tabpanel" id="part" aria-labelledby={format!("tab-{}", tab.name())}>
+                        { match tab {
+                            Tab::Data => data_panel(data, desk, &act.reform(Action::Data)),
+                            Tab::Run => run_panel(run, desk, data.commands(), &act.reform(Action::Run), &offer),
+                        } }
+                    </div>
                 </main>
                 <footer class="foot"><p>{ common.stays_here }</p></footer>
             </div>

@@ -1,5 +1,8 @@
 //! Training as Yew draws it; wasm only.
 
-mod training;
+mod settings;
+mod curves;
+mod now;
+mod panel;
 
-pub(crate) use training::training;
+pub(crate) use panel::panel;
