@@ -2,10 +2,9 @@
 //! the cell. The state before must be legal; the state after may be odd, since people's data is.
 
 use super::example::Pair;
-use super::flaw::{Wrong, cut, cut_quoted};
-use super::limits::MAX_CELL_BYTES;
+use super::flaw::Wrong;
+use super::json::json;
 use crate::domain::{Bounds, State};
-use serde::de::DeserializeOwned;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -28,26 +27,6 @@ pub fn after(text: &str) -> Result<(State, Vec<String>), Wrong> {
     let shared = state.check_after().map_err(|error| Wrong::from(error.to_string()))?;
     let odd = |error: &dyn std::fmt::Display| format!("{error} (kept, since it is a state after)");
     Ok((state, shared.iter().map(|error| odd(error)).collect()))
-}
-
-/// Reads any JSON text, naming the place of what is wrong.
-///
-/// # Errors
-/// What is wrong, where in the text, and what to mend.
-pub fn json<T: DeserializeOwned>(text: &str) -> Result<T, Wrong> {
-    if text.trim().is_empty() {
-        return Err(Wrong::with_mend("the cell is empty", "it must hold JSON"));
-    }
-    if text.len() > MAX_CELL_BYTES {
-        return Err(Wrong::from(format!("the cell is larger than {} MB", MAX_CELL_BYTES >> 20)));
-    }
-    let mut reader = serde_json::Deserializer::from_str(text);
-    let value = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
-        let path = error.path().to_string();
-        explain(text, &path, error.inner())
-    })?;
-    reader.end().map_err(|error| explain(text, ".", &error))?;
-    Ok(value)
 }
 
 /// The JSON of a state that a program has put into a string; any other text as it is.
@@ -134,19 +113,6 @@ pub fn pair(pre: State, post: State) -> Result<(Pair, Vec<String>), Vec<String>>
     if errors.is_empty() { Ok((Pair { pre, post }, oddities)) } else { Err(errors) }
 }
 
-/// The candidate that is nearest to `word` by edits, if one is near.
-pub fn did_you_mean<'a>(
-    word: &str,
-    candidates: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
-    candidates
-        .into_iter()
-        .map(|candidate| (strsim::damerau_levenshtein(word, candidate), candidate))
-        .filter(|(distance, candidate)| *distance <= 1 + candidate.chars().count() / 4)
-        .min()
-        .map(|(_, candidate)| candidate)
-}
-
 fn differences<'a, K: Ord, V>(
     before: &'a BTreeMap<K, V>,
     after: &'a BTreeMap<K, V>,
@@ -158,41 +124,4 @@ fn differences<'a, K: Ord, V>(
 
 fn place(b: &Bounds) -> String {
     format!("left {} bottom {} right {} top {}", b.left, b.bottom, b.right, b.top)
-}
-
-fn explain(text: &str, path: &str, error: &serde_json::Error) -> Wrong {
-    let offset = offset(text, error.line(), error.column());
-    let character = text.get(..offset).unwrap_or(text).chars().count().max(1);
-    let full = error.to_string();
-    let detail = full.split(" at line ").next().unwrap_or(&full);
-    if error.is_syntax() || error.is_eof() {
-        let near: String = text.chars().skip(character.saturating_sub(12)).take(24).collect();
-        // As Python prints what it has read.
-        let mend = text.trim_start().starts_with("{'").then(|| "write it as JSON does".to_owned());
-        let what =
-            format!("not JSON: {}, at character {character} of the cell", cut_quoted(detail));
-        return Wrong { snippet: Some(near), mend, ..Wrong::from(what) };
-    }
-    let at = if path == "." { "the top".to_owned() } else { cut(path, 80) };
-    let mend = unknown_word(detail).map(|(word, near)| format!("did you mean {near} for {word}?"));
-    let what = format!("{}, at {at}, character {character}", cut_quoted(detail));
-    Wrong { mend, ..Wrong::from(what) }
-}
-
-/// The word that a message of the world's closed sets refuses, and the known one nearest to it.
-fn unknown_word(detail: &str) -> Option<(&str, &str)> {
-    let rest = detail.strip_prefix("unknown ")?;
-    let word = rest.split('`').nth(1)?;
-    let known = rest.rsplit_once("use one of ")?.1.split(", ");
-    did_you_mean(word, known).map(|near| (word, near))
-}
-
-/// The byte offset of a line and a column that serde_json names (both from 1, the column in bytes).
-fn offset(text: &str, line: usize, column: usize) -> usize {
-    let before: usize = text.split_inclusive('\n').take(line.saturating_sub(1)).map(str::len).sum();
-    let mut offset = (before + column).min(text.len());
-    while !text.is_char_boundary(offset) {
-        offset -= 1;
-    }
-    offset
 }

@@ -2,8 +2,8 @@
 //! person, kept as a file of JSON. The same holds for the keys of JSON objects.
 
 use super::flaw::{Wrong, some};
-use super::header::{APPROVE, COMMAND, FORM, ID, POST, PRE, REASON, Role, STATUS, TASK, WORKER};
 use super::limits::MAX_PAIRS;
+use super::role::{APPROVE, COMMAND, FORM, ID, POST, PRE, REASON, Role, STATUS, TASK, WORKER};
 use serde::{Deserialize, Serialize};
 
 /// What a mapping's file calls itself.
@@ -155,7 +155,7 @@ impl Mapping {
     /// # Errors
     /// What is wrong with it, and where.
     pub fn read(text: &str) -> Result<Mapping, Wrong> {
-        let File { format, version, columns } = super::cell::json(text)?;
+        let File { format, version, columns } = super::json::json(text)?;
         if format != FORMAT || version != VERSION {
             let what = format!("this is {format:?}, version {version}, and no mapping of columns");
             let mend = format!("a mapping is {FORMAT:?}, version {VERSION}");

@@ -2,15 +2,16 @@
 //! found by name, rows without their last cells, answers of crowd-html forms as JSON in one cell.
 
 use super::admit::{Options, decision, empty, something};
-use super::cell;
 use super::cells::Cells;
 use super::draft::{Draft, Found, Place};
 use super::example::{Decision, Row};
 use super::flaw::{Flaw, Wrong, some};
-use super::header::{COMMAND, Header};
+use super::header::Header;
+use super::json::json;
 use super::limits::{MAX_CELL_BYTES, MAX_COLUMNS};
 use super::mapping::Mapping;
 use super::record::{Fault, Record, Records, Step};
+use super::role::COMMAND;
 use super::source::Source;
 use std::io::Read;
 
@@ -200,7 +201,7 @@ fn command<'a>(header: &'a Header, record: &Record) -> (&'a str, Result<String, 
 /// The command in the JSON that crowd-html forms answer with: `[{"command": "…"}]`.
 pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
     use serde_json::Value;
-    let answers: Value = cell::json(text)?;
+    let answers: Value = json(text)?;
     let forms = match &answers {
         Value::Array(forms) => forms.as_slice(),
         form => std::slice::from_ref(form),

@@ -2,8 +2,8 @@
 
 use super::admit::decision;
 use super::example::{Corpus, Decision, Example, Pair};
-use super::header::{APPROVE, COMMAND, POST, PRE, REASON, Role, STATUS, TASK};
 use super::mapping::Mapping;
+use super::role::{APPROVE, COMMAND, POST, PRE, REASON, Role, STATUS, TASK};
 use crate::domain::State;
 use std::io::Write;
 

@@ -135,6 +135,11 @@ impl Running {
         Running { run, last: Epoch::default(), planner: None, stage }
     }
 
+    /// Passes over the corpus in all.
+    pub fn passes(&self) -> u32 {
+        self.run.config.passes()
+    }
+
     /// Whether training is done.
     pub fn is_trained(&self) -> bool {
         !matches!(self.stage, Stage::Training(_))

@@ -7,12 +7,15 @@ use super::kept::Kept;
 use super::planning::Validation;
 use crate::ccg::{ChartConfig, Features, Model, any_closed, parse_words};
 use crate::ground::PairId;
-use crate::logic::{Node, TermId, Terms, print};
+use crate::logic::{Node, TermId, Terms, print, read};
 use indexmap::IndexMap;
 use rustc_hash::FxBuildHasher;
 
 /// Goals that are tried, those that explain most rows first.
 const MOST_GOALS: usize = 400;
+
+/// The facts of a checkpoint that say how far the search is.
+pub(super) const SEARCH: [&str; 3] = ["at_idioms", "at_meant", "at_found"];
 
 /// A command with the demonstrations of each row that has it.
 pub(super) struct Command<'a> {
@@ -31,8 +34,8 @@ pub(super) struct Idioms {
     /// The goals that are tried, once all answers are known.
     goals: Vec<TermId>,
     next: usize,
-    /// The idioms so far.
-    found: Vec<(Vec<String>, TermId)>,
+    /// The idioms so far: the place of a command, and its goal.
+    found: Vec<(usize, TermId)>,
 }
 
 impl Idioms {
@@ -53,9 +56,52 @@ impl Idioms {
         self.explained.len() + self.next
     }
 
-    /// The idioms found so far.
-    pub(super) fn found(&self) -> &[(Vec<String>, TermId)] {
+    /// The idioms found so far: places of commands, and their goals.
+    pub(super) fn found(&self) -> &[(usize, TermId)] {
         &self.found
+    }
+
+    /// How far the search is, as facts of a checkpoint, in the order of [`SEARCH`].
+    pub(super) fn place(&self, terms: &Terms) -> [String; 3] {
+        let goals = |all: &mut dyn Iterator<Item = (usize, TermId)>| {
+            let goal = |(n, goal): (usize, TermId)| format!("{n} {}", print(terms, goal));
+            all.map(goal).collect::<Vec<_>>().join("|")
+        };
+        let numbers = std::iter::once(&self.next).chain(&self.explained);
+        let numbers: Vec<String> = numbers.map(usize::to_string).collect();
+        let mut meant = self.meant.iter().map(|(&goal, &rows)| (rows, goal));
+        let mut found = self.found.iter().copied();
+        [numbers.join(" "), goals(&mut meant), goals(&mut found)]
+    }
+
+    /// Goes on where a checkpoint of a search among so many commands was made; nothing if it was made of none.
+    pub(super) fn resumed(
+        mut self,
+        place: [&str; 3],
+        commands: usize,
+        terms: &mut Terms,
+    ) -> Option<Self> {
+        let mut goals = |text: &str| -> Option<Vec<(usize, TermId)>> {
+            let parts = text.split('|').filter(|part| !part.is_empty());
+            let goal = |part: &str| {
+                let (n, form) = part.split_once(' ')?;
+                Some((n.parse().ok()?, read(terms, form).ok()?))
+            };
+            parts.map(goal).collect()
+        };
+        let [numbers, meant, found] = place;
+        let numbers = numbers.split(' ').map(|n| n.parse().ok()).collect::<Option<Vec<usize>>>()?;
+        self.meant = goals(meant)?.into_iter().map(|(rows, goal)| (goal, rows)).collect();
+        self.found = goals(found)?;
+        let (next, explained) = numbers.split_first()?;
+        (self.next, self.explained) = (*next, explained.to_vec());
+        let fits = self.explained.len() <= commands
+            && (self.next == 0 || self.explained.len() == commands && self.next < commands)
+            && self.found.iter().all(|(at, _)| *at < commands);
+        if self.next > 0 {
+            self.rank(terms);
+        }
+        fits.then_some(self)
     }
 
     /// What a command is answered, and how many of its rows that explains.
@@ -91,7 +137,8 @@ impl Idioms {
         if self.next == 0 {
             self.rank(terms);
         }
-        let mut most = self.explained.get(self.next).copied().unwrap_or_default();
+        let at = self.next;
+        let mut most = self.explained.get(at).copied().unwrap_or_default();
         self.next += 1;
         if most == command.rows.len() || command.words.is_empty() || any_closed(command.words) {
             return;
@@ -103,7 +150,7 @@ impl Idioms {
                 (most, idiom) = (rows, Some(goal));
             }
         }
-        self.found.extend(idiom.map(|goal| (command.words.to_vec(), goal)));
+        self.found.extend(idiom.map(|goal| (at, goal)));
     }
 
     /// The goals to try: those that explain most first, ties by their printed forms.

@@ -29,6 +29,7 @@ pub mod audit;
 pub mod inspect;
 pub mod experiment;
 pub mod paper;
+pub mod runs;
 
 pub use audit::Audit;
 pub use config::Config;

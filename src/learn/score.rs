@@ -1,8 +1,11 @@
 //! What is counted when a model is judged (Williams et al., Section VI): precision, recall and F1, once without
 //! and once with the parse that skips words. All figures derive from one mark a command.
 
+use serde::{Deserialize, Serialize};
+
 /// What came of a command.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// No answer: no parse, or several forms tied for best.
     #[default]
@@ -14,7 +17,8 @@ pub enum Verdict {
 }
 
 /// How one command was answered.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Mark {
     /// The label of its task.
     pub task: Option<String>,

@@ -5,7 +5,7 @@ use super::config::Config;
 use super::fingerprint::fingerprint;
 use super::genlex::{Candidate, CoarseCharts, Generated, Scope, generate};
 use super::gradient::update;
-use super::idioms::{Command, Idioms};
+use super::idioms::{Command, Idioms, SEARCH};
 use super::kept::{Kept, Read};
 use super::look::{Last, Look};
 use super::phase::Phase;
@@ -147,7 +147,13 @@ impl Trainer {
         let entries = trainer.model.lexicon.len();
         trainer.so_far = Epoch { valid, updates, entries, over_budget };
         trainer.born = born(theirs.get(BORN), trainer.items.len(), entries);
-        let place = PLACE.iter().chain([&BORN]);
+        if let [Some(numbers), Some(meant), Some(found)] = SEARCH.map(|fact| theirs.get(fact)) {
+            let (n_items, place) = (trainer.items.len(), [numbers, meant, found]);
+            let begun = trainer.begin_idioms();
+            let terms = &mut trainer.model.grammar.terms;
+            trainer.idioms = begun.resumed(place.map(String::as_str), n_items, terms);
+        }
+        let place = PLACE.iter().chain([&BORN]).chain(&SEARCH);
         place.for_each(|&fact| drop(trainer.model.facts.shift_remove(fact)));
         Ok(trainer)
     }
@@ -168,6 +174,11 @@ impl Trainer {
         let place = [self.epoch as usize, self.next, valid, updates, over_budget];
         for (fact, value) in PLACE.iter().zip(place) {
             model.facts.insert((*fact).to_owned(), value.to_string());
+        }
+        if let Some(idioms) = &self.idioms {
+            let place = idioms.place(&model.grammar.terms);
+            let facts = SEARCH.into_iter().map(str::to_owned).zip(place);
+            model.facts.extend(facts);
         }
         if !self.born.is_empty() {
             let born: Vec<String> = self.born.iter().map(u32::to_string).collect();
@@ -221,9 +232,9 @@ impl Trainer {
     /// A model with the weights of this one as they were on average so far, and the idioms found.
     fn ended(&self, mut model: Model) -> Model {
         self.average(&mut model.features);
-        for (words, goal) in self.idioms.iter().flat_map(Idioms::found) {
+        for (at, goal) in self.idioms.iter().flat_map(Idioms::found) {
             // A goal that a chart has made is never too large.
-            let _ = model.add_idiom(words, *goal);
+            let _ = model.add_idiom(&self.items[*at].words, *goal);
         }
         model
     }
@@ -335,11 +346,7 @@ impl Trainer {
     /// Looks at one command: what it is answered, or what else it could mean. How far that is, as if it were one more
     /// epoch.
     fn look_for_idioms(&mut self) -> Progress {
-        let mut idioms = self.idioms.take().unwrap_or_else(|| {
-            let mut features = self.model.features.clone();
-            self.average(&mut features);
-            Idioms::new(features)
-        });
+        let mut idioms = self.idioms.take().unwrap_or_else(|| self.begin_idioms());
         let (seen, all) = (idioms.seen(), self.items.len());
         let at = seen % all;
         if let Some(Item { words, examples }) = self.items.get(at) {
@@ -353,6 +360,12 @@ impl Trainer {
         let example = self.n_examples * idioms.seen() / (2 * all);
         self.idioms = Some(idioms);
         Progress { epoch: self.epoch, example, so_far: self.so_far }
+    }
+
+    fn begin_idioms(&self) -> Idioms {
+        let mut features = self.model.features.clone();
+        self.average(&mut features);
+        Idioms::new(features)
     }
 
     fn begin_epoch(&mut self) {

@@ -4,10 +4,13 @@
 use super::learner::Learner;
 use super::protocol::{Event, Form, PairText, Request, RowReading, Split};
 use super::read::{parsed, reading, shown, words};
+use super::shard;
 use super::talker::report;
-use crate::ccg::probability;
+use super::training::Training;
+use crate::ccg::{Model, probability};
 use crate::corpus::{Example, Pair, jsonl, preview, share, table};
 use crate::ground::{PairId, Validator};
+use crate::learn::inspect::{EntryView, difference, entries, without};
 use crate::learn::sheet::{Half, Sheet};
 use crate::logic::read as read_term;
 use std::io::Cursor;
@@ -65,10 +68,40 @@ impl Learner {
                 let model = model.ok_or("Nothing was trained yet.")?;
                 Event::Trained(report(&model, model.print()))
             }
+            Request::PlanRuns { matrix, settings } => shard::plan(sheet, &matrix, &settings)?,
+            Request::JoinRuns { plan, shards } => shard::joined(&plan, &shards)?,
+            Request::Entries { view, offset, count } => self.entries(&view, offset, count)?,
+            Request::Without { places } => {
+                let model = without(&self.model()?, &places);
+                Event::Trained(report(&model, model.print()))
+            }
+            Request::Compare { first, second } => {
+                let [first, second] =
+                    [(first, "first"), (second, "second")].map(|(text, which)| {
+                        Model::read(&text)
+                            .map_err(|error| format!("The {which} model cannot be read: {error}."))
+                    });
+                Event::Difference(Box::new(difference(&first?, &second?)))
+            }
             other => {
                 return Err(super::job::misdirected(&other, super::protocol::Program::Learner));
             }
         })
+    }
+
+    /// The model that was audited, or else trained last.
+    fn model(&mut self) -> Result<Model, String> {
+        let audited = self.audit.as_mut().map(|audit| audit.model().clone());
+        let trained = || self.training.as_ref().and_then(|training| training.model());
+        Ok(audited.or_else(trained).ok_or("There is no model yet: train one, or open one.")?)
+    }
+
+    fn entries(&mut self, view: &EntryView, offset: u32, count: u32) -> Result<Event, String> {
+        let model = self.model()?;
+        let origins = self.training.as_ref().map(Training::origins).unwrap_or_default();
+        let uses = |id| self.audit.as_ref().map(|audit| audit.uses(id)).unwrap_or_default();
+        let window = entries(&model, (view, offset, count), &origins, uses);
+        Ok(Event::Entries(Box::new(window)))
     }
 
     /// What the model that was audited makes of a row.

@@ -9,6 +9,7 @@ use super::protocol::{
     PairText, Program, Request, RowSummary, Rules, SeedLexicon, Settings, SheetReport, TeachReport,
     TrainSettings,
 };
+use super::shard;
 use super::talker::report;
 use super::training::Training;
 use crate::ccg::{EntryText, Model};
@@ -44,6 +45,7 @@ impl Role for Learner {
             Request::Train { lexicon, settings } => self.learn(&all_of(lexicon, settings), None),
             Request::Learn { settings, resume } => self.learn(&settings, resume.as_deref()),
             Request::Audit { model, rules } => self.audit(model.as_deref(), rules),
+            Request::RunShard { plan, runs } => shard::run(&self.sheet, &plan, runs),
             Request::Teach { model, examples } => teach(&model, examples),
             Request::Experiment { experiment, settings } => {
                 let lexicon = SeedLexicon::Domain;

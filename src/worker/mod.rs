@@ -15,6 +15,7 @@ mod progress;
 mod experiment;
 mod training;
 mod learner;
+mod shard;
 mod bench;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;

@@ -8,6 +8,7 @@ use super::protocol::{Checkpoint, Event};
 use super::talker::report;
 use crate::ccg::{ChartConfig, Model};
 use crate::corpus::Example;
+use crate::learn::inspect::Origins;
 use crate::learn::{Judge, Look, Progress, Trainer};
 use std::collections::VecDeque;
 
@@ -157,12 +158,12 @@ impl Training {
         }
     }
 
-    /// For each entry that was learned, in the lexicon's order, the command that it came from.
-    pub(super) fn origins(&self) -> Vec<String> {
+    /// For entries that were learned the command that each came from.
+    pub(super) fn origins(&self) -> Origins {
         match (&self.trainer, &self.ended) {
-            (Some(trainer), _) => trainer.origins(),
-            (None, Some((_, origins))) => origins.clone(),
-            (None, None) => Vec::new(),
+            (Some(trainer), _) => Origins::new(trainer.model(), &trainer.origins()),
+            (None, Some((model, origins))) => Origins::new(model, origins),
+            (None, None) => Origins::default(),
         }
     }
 }

@@ -4,6 +4,8 @@
 mod command;
 #[path = "experiment/confusion.rs"]
 mod confusion;
+#[path = "experiment/runs.rs"]
+mod runs;
 
 use groundling::corpus::folds;
 use groundling::learn::{Mark, Report, Scores, Ties, Verdict};

@@ -1,6 +1,8 @@
 //! Learning: the paper's demonstration with six sentences, the gradient by hand, runs that stop and go on, and
 //! corpora from which nothing can be learned.
 
+#[path = "learn/care.rs"]
+mod care;
 #[path = "learn/domain.rs"]
 mod domain;
 #[path = "learn/garbage.rs"]

@@ -6,6 +6,8 @@ mod cross;
 mod demonstration;
 #[path = "experiment/options.rs"]
 mod options;
+#[path = "experiment/runs.rs"]
+mod runs;
 #[path = "experiment/table.rs"]
 mod table;
 #[path = "experiment/table2.rs"]
@@ -35,6 +37,16 @@ pub(crate) const COMMAND: Command = Command {
               \x20   --folds N               parts of the corpus (5)\n\
               \x20   --by KIND               what stays together: command, row or task (command)\n\
               \x20   --fold K…               only these folds, from 1\n\
+              \x20 plan           a file of JSON that repeats runs exactly\n\
+              \x20   --corpus FILE… [--held-out FILE…]\n\
+              \x20   --matrix JSON           which runs (\"once\"), such as {\"curve\": {\"percents\": [25, 100], \"by\": \"row\"}}\n\
+              \x20 run            all runs of a plan\n\
+              \x20   --plan FILE --corpus FILE…   the plan, and its files in their order\n\
+              \x20   --csv                   a table for other programs\n\
+              \x20 shard          some runs of a plan, for machines that share it out; its results as JSON\n\
+              \x20   --plan FILE --corpus FILE… --run K…   numbers of runs, from 0\n\
+              \x20 join           what all shards of a plan found\n\
+              \x20   --plan FILE --shard FILE… [--csv]\n\
               All:\n\
               \x20   --demonstrations N      learn from the first N pairs of each row (all; not table2)\n\
               \x20   --epochs N              passes over the corpus (15)\n\
@@ -50,11 +62,15 @@ pub(crate) const COMMAND: Command = Command {
 type Experiment = fn(lexopt::Parser) -> Result<String, Failure>;
 
 /// Every experiment.
-const EXPERIMENTS: [(&str, Experiment); 4] = [
+const EXPERIMENTS: [(&str, Experiment); 8] = [
     ("table2", table2::run),
     ("table3", table3::run),
     ("demonstration", demonstration::run),
     ("cross", cross::run),
+    ("plan", runs::plan),
+    ("run", runs::run),
+    ("shard", runs::shard),
+    ("join", runs::join),
 ];
 
 fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {

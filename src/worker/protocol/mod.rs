@@ -3,22 +3,28 @@
 
 mod learning;
 mod message;
+mod request;
+mod event;
 mod planning;
 mod reading;
 mod sheet;
 mod wire;
 
+pub use event::Event;
 pub use learning::{
     Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport, Figures,
     Judgement, Lesson, MOST_TAUGHT, PairText, Problem, Progress, RowSummary, RunPart, RunReport,
     TaskFigures, TeachReport, TrainReport, TrainSettings,
 };
-pub use message::{Envelope, Event, Program, Request, VERSION, Wanted};
+pub use message::{Envelope, Program, VERSION};
 pub use planning::{
     Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
 };
 pub use reading::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Taken, Word};
-pub use sheet::{Checkpoint, Fault, FileReport, Form, MappedFile, RowReading, SheetReport, Split};
+pub use request::{Request, Wanted};
+pub use sheet::{
+    Checkpoint, Fault, FileReport, Form, Joined, MappedFile, RowReading, SheetReport, Split,
+};
 pub use wire::{WireError, decode, encode};
 
 // What comes from further down and crosses as it is.
@@ -29,7 +35,8 @@ pub use crate::ground::{Article, Claim, Description, Noun, Shade};
 pub use crate::learn::audit::{Errors, Rows};
 pub use crate::learn::experiment::By;
 pub use crate::learn::inspect::{Difference, EntryLine, EntrySort, EntryView, EntryWindow};
-pub use crate::learn::look::{Form as LookForm, Look, Moved};
+pub use crate::learn::look::Look;
+pub use crate::learn::runs::Matrix;
 pub use crate::learn::settings::{Lexicon, SeedLexicon, Settings};
 pub use crate::learn::sheet::{
     Care, Deed, Done, Facet, Facets, Half, Line, Outcome, Rule, Rules, Sort, Status, Verdict, View,

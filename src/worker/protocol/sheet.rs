@@ -1,7 +1,7 @@
 //! What is said of a corpus that is worked on: files and their columns, rows and windows of them, what was decided, what
 //! a model makes of them, and training on them.
 
-use super::learning::{CorpusFile, PairText};
+use super::learning::{CorpusFile, Judgement, PairText, RunReport};
 use super::reading::{Reading, Word};
 use crate::corpus::Mapping;
 use crate::learn::sheet::Care;
@@ -117,6 +117,21 @@ pub struct RowReading {
     pub probability: Option<f64>,
     /// The demonstrations.
     pub pairs: Vec<PairText>,
+}
+
+/// What the runs of a plan found, joined.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Joined {
+    /// A row a run, in the plan's order.
+    pub runs: Vec<RunReport>,
+    /// All runs together, where they judge one corpus between them.
+    pub all: Option<Judgement>,
+    /// The results as a table for other programs.
+    pub csv: String,
+    /// The results as a report to be read.
+    pub markdown: String,
+    /// The results as a file, which a shard with all runs would have handed back.
+    pub results: String,
 }
 
 /// A run that can go on from here.

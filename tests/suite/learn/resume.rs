@@ -38,7 +38,7 @@ fn end(mut trainer: Trainer) -> String {
 fn a_run_that_was_interrupted_ends_in_the_same_bytes() {
     let examples = six();
     let uninterrupted = train(&examples, &CONFIG).0.print();
-    for moment in [0, 1, 5, 6, 7, 17, 29, 30] {
+    for moment in [0, 1, 5, 6, 7, 17, 29, 30, 31, 35, 36, 37, 41] {
         let mut trainer = trainer(&examples, &CONFIG);
         run(&mut trainer, moment);
         let file = trainer.checkpoint();

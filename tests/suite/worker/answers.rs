@@ -150,8 +150,13 @@ fn training_that_is_cancelled_leaves_the_corpus_and_one_that_is_replaced_too() {
     engine.start(22, train(15));
     next(&mut engine);
     engine.start(23, Request::ShowRow { row: 5 });
+    assert!(
+        matches!(next(&mut engine), (23, Event::Row { row: 5, .. })),
+        "a look replaces nothing"
+    );
+    assert!(matches!(next(&mut engine), (22, Event::Progress(_))));
+    engine.start(24, train(15));
     assert_eq!(next(&mut engine), (22, Event::Cancelled));
-    assert!(matches!(next(&mut engine), (23, Event::Row { row: 5, .. })));
 }
 
 #[test]

@@ -62,8 +62,8 @@ pub(super) struct Common {
     pub(super) config: Config,
     pub(super) json: bool,
     pub(super) jobs: usize,
+    pub(super) with_rejected: bool,
     lexicon: Option<PathBuf>,
-    with_rejected: bool,
     /// What became of the rows of all files so far.
     rows: Rows,
 }
@@ -107,6 +107,16 @@ impl Common {
         seed_model(own.as_deref().unwrap_or(default)).map_err(|e| {
             Failure::Usage(format!("{}: {e}", place.as_deref().unwrap_or("the lexicon")))
         })
+    }
+
+    /// The text of the seed lexicon, if one was given.
+    pub(super) fn lexicon_text(&self) -> Result<Option<String>, Failure> {
+        self.lexicon.as_deref().map(text).transpose()
+    }
+
+    /// The rows of files, rejected ones among them.
+    pub(super) fn all_rows(&mut self, files: &[PathBuf]) -> Result<Vec<Example>, Failure> {
+        Ok(examples(files, true)?.examples)
     }
 
     /// The rows of files.

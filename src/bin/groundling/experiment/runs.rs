@@ -1,0 +1,177 @@
+//! `experiment plan`, `run`, `shard` and `join`: runs as data. A plan is a file that repeats its runs exactly; a shard is
+//! some of them, for machines that share a plan out; joined they are what one machine finds alone.
+
+use super::options::{Common, Given, missing};
+use crate::command::Failure;
+use crate::corpora::text;
+use groundling::corpus::{Decision, Example};
+use groundling::learn::runs::{
+    Matrix, Plan, RunResult, Shard, Told, export, join as joined, results,
+};
+use groundling::learn::settings::Lexicon;
+use groundling::learn::{SeedLexicon, Settings};
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
+
+/// The form of results.
+#[derive(Clone, Copy)]
+enum Form {
+    Markdown,
+    Csv,
+    Json,
+}
+
+/// A plan for what is given.
+pub(super) fn plan(arguments: lexopt::Parser) -> Result<String, Failure> {
+    let mut given = Given(arguments);
+    let mut common = Common::new();
+    let (mut corpus, mut held_out, mut matrix) = (Vec::new(), Vec::new(), Matrix::Once);
+    while let Some(name) = given.next()? {
+        match name.as_str() {
+            "corpus" => corpus.extend(given.files()?),
+            "held-out" => held_out.extend(given.files()?),
+            "matrix" => {
+                let text = given.value::<String>()?;
+                let read = serde_json::from_str(&text);
+                matrix = read.map_err(|e| Failure::Usage(format!("--matrix {text}: {e}")))?;
+            }
+            _ => common.take(&name, &mut given)?,
+        }
+    }
+    if corpus.is_empty() {
+        return Err(missing("--corpus FILE"));
+    }
+    let first = common.all_rows(&corpus)?;
+    let second = if held_out.is_empty() { Vec::new() } else { common.all_rows(&held_out)? };
+    let (n, with_rejected) = (first.len() as u32, common.with_rejected);
+    let rows: Vec<Example> = first.into_iter().chain(second).collect();
+    let is_used = |row: &u32| {
+        let decision = rows.get(*row as usize).map(|example| &example.decision);
+        with_rejected || !matches!(decision, Some(Decision::Rejected(_)))
+    };
+    let train: Vec<u32> = (0..n).filter(is_used).collect();
+    let test: Vec<u32> = (n..rows.len() as u32).filter(is_used).collect();
+    let config = &common.config;
+    let settings = Settings {
+        lexicon: match common.lexicon_text()? {
+            Some(text) => Lexicon::Own(text),
+            None => Lexicon::Here(SeedLexicon::Domain),
+        },
+        epochs: config.epochs,
+        demonstrations: config.demonstrations,
+        seed: config.seed,
+        idioms: config.idioms,
+        ..Settings::default()
+    };
+    let plan = matrix.plan(&settings, &rows, (&train, &test)).map_err(Failure::Usage)?;
+    Ok(plan.write().trim_end().to_owned())
+}
+
+/// All runs of a plan.
+pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
+    let (plan, rows, _, common, form) = read(arguments)?;
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut done = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            if at >= plan.runs.len() {
+                return Ok(done);
+            }
+            done.push(pump(&plan, &rows, vec![at as u32])?);
+        }
+    };
+    let shards: Result<Vec<Vec<String>>, Failure> = thread::scope(|scope| {
+        let n_threads = common.jobs.clamp(1, plan.runs.len().max(1));
+        let threads: Vec<_> = (0..n_threads).map(|_| scope.spawn(work)).collect();
+        let join = |thread: thread::ScopedJoinHandle<'_, _>| {
+            thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+        };
+        threads.into_iter().map(join).collect()
+    });
+    let found = joined(&plan, &shards?.concat()).map_err(Failure::Usage)?;
+    Ok(told(&plan, found, form))
+}
+
+/// Some runs of a plan.
+pub(super) fn shard(arguments: lexopt::Parser) -> Result<String, Failure> {
+    let (plan, rows, runs, ..) = read(arguments)?;
+    let runs = if runs.is_empty() { (0..plan.runs.len() as u32).collect() } else { runs };
+    Ok(pump(&plan, &rows, runs)?.trim_end().to_owned())
+}
+
+/// What all shards of a plan found.
+pub(super) fn join(arguments: lexopt::Parser) -> Result<String, Failure> {
+    let mut given = Given(arguments);
+    let (mut plan, mut shards, mut form) = (None::<PathBuf>, Vec::new(), Form::Markdown);
+    while let Some(name) = given.next()? {
+        match name.as_str() {
+            "plan" => plan = Some(given.value::<PathBuf>()?),
+            "shard" => shards.extend(given.files()?),
+            "json" => form = Form::Json,
+            "csv" => form = Form::Csv,
+            _ => return Err(Failure::Usage(format!("invalid option '--{name}' (see --help)"))),
+        }
+    }
+    let plan = plan_in(&plan.ok_or_else(|| missing("--plan FILE"))?)?;
+    let texts: Vec<String> = shards.iter().map(|path| text(path)).collect::<Result<_, _>>()?;
+    let found = joined(&plan, &texts).map_err(Failure::Usage)?;
+    Ok(told(&plan, found, form))
+}
+
+type Given4 = (Plan, Arc<[Example]>, Vec<u32>, Common, Form);
+
+fn read(arguments: lexopt::Parser) -> Result<Given4, Failure> {
+    let mut given = Given(arguments);
+    let mut common = Common::new();
+    let (mut plan, mut corpus, mut runs) = (None::<PathBuf>, Vec::new(), Vec::new());
+    let mut form = Form::Markdown;
+    while let Some(name) = given.next()? {
+        match name.as_str() {
+            "plan" => plan = Some(given.value::<PathBuf>()?),
+            "corpus" => corpus.extend(given.files()?),
+            "run" => runs.extend(given.values::<u32>()?),
+            "json" => form = Form::Json,
+            "csv" => form = Form::Csv,
+            "jobs" => common.take(&name, &mut given)?,
+            _ => return Err(Failure::Usage(format!("invalid option '--{name}' (see --help)"))),
+        }
+    }
+    let plan = plan_in(&plan.ok_or_else(|| missing("--plan FILE"))?)?;
+    if corpus.is_empty() {
+        return Err(missing("--corpus FILE"));
+    }
+    let rows: Arc<[Example]> = common.all_rows(&corpus)?.into();
+    plan.check(&rows).map_err(Failure::Usage)?;
+    Ok((plan, rows, runs, common, form))
+}
+
+fn plan_in(path: &std::path::Path) -> Result<Plan, Failure> {
+    Plan::read(&text(path)?)
+        .map_err(|e| Failure::Usage(format!("{}: no plan: {e}", path.display())))
+}
+
+/// Runs some runs of a plan; their results as a file.
+fn pump(plan: &Plan, rows: &Arc<[Example]>, runs: Vec<u32>) -> Result<String, Failure> {
+    let mut shard = Shard::new(plan.clone(), rows.clone(), runs).map_err(Failure::Usage)?;
+    while !shard.is_over() {
+        if let Some(Told::Ended(at)) = shard.step().map_err(Failure::Usage)? {
+            let name = plan.runs.get(at as usize).map_or("", |run| run.name.as_str());
+            // Standard error may be gone; the work goes on.
+            let _ = writeln!(io::stderr(), "{name}: done");
+        }
+    }
+    Ok(shard.end())
+}
+
+fn told(plan: &Plan, found: Vec<RunResult>, form: Form) -> String {
+    let text = match form {
+        Form::Markdown => export::markdown(plan, &found),
+        Form::Csv => export::csv(plan, &found),
+        Form::Json => results::write(plan, found),
+    };
+    text.trim_end().to_owned()
+}
