@@ -1,7 +1,7 @@
 // Messages to and from an engine, as far as the flows that measure need them: postcard's form (`protocol/wire.rs`), fields
 // in order without names. A test that reads wrong bytes fails loudly, so nothing here is checked.
 
-const VERSION = 7;
+const VERSION = 8;
 /** Places of the kinds in `Request` and `Event`. */
 const REQUESTS = { plan: 8, values: 9, roll_out: 10 };
 const EVENTS = { 12: 'planning', 13: 'planned', 14: 'values', 15: 'rolling_out', 16: 'rolled_out' };

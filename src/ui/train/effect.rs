@@ -15,6 +15,8 @@ pub enum Effect {
     Watch(Program, u32, u32),
     /// Ring after so many milliseconds; the number tells a stale timer from the one that counts.
     Ring(u32, u32),
+    /// Bring an element into view.
+    Reveal(&'static str),
     /// Tell the page something.
     Tell(News),
     /// Offer a text to the person as a file.

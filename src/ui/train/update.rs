@@ -13,10 +13,9 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
     let State { desk, shown, tab, data, run } = state;
     match action {
         Action::Data(action) => {
-            if matches!(action, data::Action::Offered(_)) {
+            if data::update::update(data, desk, action) {
                 *tab = Tab::Data;
             }
-            data::update::update(data, desk, action);
         }
         Action::Run(action) => {
             let name = data.sheet.as_ref().map_or(String::new(), |sheet| sheet.name.clone());

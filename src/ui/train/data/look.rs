@@ -2,9 +2,10 @@
 
 use super::action::Look;
 use super::sheet::{Open, Sheet};
-use super::table::Table;
 use crate::ui::train::desk::Desk;
+use crate::ui::train::effect::Effect;
 use crate::worker::protocol::{Request, View};
+use std::rc::Rc;
 
 /// Does what a person wants.
 pub fn look(sheet: &mut Sheet, desk: &mut Desk, action: Look) {
@@ -25,24 +26,19 @@ pub fn look(sheet: &mut Sheet, desk: &mut Desk, action: Look) {
             view.descending = view.sort == sort && !view.descending;
             view.sort = sort;
         }),
-        Look::Scrolled(top, count) => table.sight = (top, count),
-        Look::Move(by) => {
-            let last = i64::from(table.total().saturating_sub(1));
-            go(table, (i64::from(table.current) + by).clamp(0, last.max(0)));
-        }
-        Look::End(is_last) => {
-            let last = i64::from(table.total().saturating_sub(1));
-            go(table, if is_last { last } else { 0 });
-        }
+        Look::Scrolled(top, count) => table.scrolled(top, count),
+        Look::Move(by) => table.go(i64::from(table.current) + by),
+        Look::End(is_last) => table.go(if is_last { i64::MAX } else { 0 }),
         Look::Open(place) => {
             table.current = place;
             let row = table.line(place).map(|line| line.row);
             let is_open = sheet.open.as_ref().map(|open| open.row) == row;
             sheet.open = row.filter(|_| !is_open).map(|row| open(row, desk, sheet.is_audited));
+            desk.want(Effect::Reveal("row-title"));
         }
         Look::Close => sheet.open = None,
         Look::Pick(row, is_picked) => table.pick(row, is_picked),
-        Look::PickNone => table.picked = std::rc::Rc::default(),
+        Look::PickNone => table.picked = Rc::default(),
     }
     ask(sheet, desk);
 }
@@ -61,18 +57,4 @@ pub fn open(row: u32, desk: &mut Desk, is_audited: bool) -> Open {
         desk.ask(Request::ReadRow { row });
     }
     Open { row, pairs: None, reading: None }
-}
-
-/// The keyboard goes to a place, which is brought into sight.
-fn go(table: &mut Table, place: i64) {
-    let place = u32::try_from(place).unwrap_or(0);
-    table.current = place;
-    let (top, count) = table.sight;
-    // The last row in sight may be cut.
-    let last = top + count.saturating_sub(2);
-    if place < top {
-        table.sight.0 = place;
-    } else if place > last {
-        table.sight.0 = place.saturating_sub(count.saturating_sub(2));
-    }
 }

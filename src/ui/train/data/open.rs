@@ -3,7 +3,7 @@
 use super::demo;
 use super::state::{Refused, State};
 use super::words::Text;
-use crate::ui::page::files::{self, Fault, Kind, Offered};
+use crate::ui::page::files::{self, Given, Kind, Offered};
 use crate::ui::page::news::News;
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
@@ -15,40 +15,53 @@ const MAPPING: &[u8] = b"groundling mapping";
 /// How far into a file that may stand.
 const HEAD: usize = 64;
 
+/// Files by what they are.
+#[derive(Default)]
+struct Sorted {
+    corpora: Vec<CorpusFile>,
+    given: Vec<Given>,
+    mapping: Option<Mapping>,
+}
+
 /// Opens files: all corpora among them are one, mapped as a mapping among them says. Where one cannot be read, none is.
-pub fn open(state: &mut State, desk: &mut Desk, files: Vec<Offered>) {
-    let (mut corpora, mut given, mut mapping) = (Vec::new(), Vec::new(), None);
-    for Offered { name, bytes } in files {
-        let bytes = match bytes {
-            Ok(bytes) => bytes,
-            Err(fault) => return refuse(state, desk, &name, fault),
-        };
-        if is_mapping(&bytes) {
-            match Mapping::read(&String::from_utf8_lossy(&bytes)) {
-                Ok(read) => mapping = Some(read),
-                Err(wrong) => {
-                    let message = format!("{name}: {wrong}.");
-                    return say(state, desk, message);
-                }
-            }
-        } else if files::kind(&name, &bytes) == Kind::Corpus {
-            corpora.push(CorpusFile { name, bytes });
-        } else {
-            match files::given(&name, bytes) {
-                Ok(one) => given.extend(one),
-                Err(fault) => return refuse(state, desk, &name, fault),
-            }
+/// Whether there was anything but what is for the robot.
+pub fn open(state: &mut State, desk: &mut Desk, files: Vec<Offered>) -> bool {
+    let Sorted { corpora, given, mapping } = match sorted(files, Text::of(desk.language)) {
+        Ok(sorted) => sorted,
+        Err(message) => {
+            say(state, desk, message);
+            return true;
         }
-    }
+    };
     for given in given {
         desk.want(Effect::Tell(News::Give(given)));
     }
+    let is_ours = !corpora.is_empty() || mapping.is_some();
     if corpora.is_empty() {
-        return mapping.into_iter().for_each(|mapping| map(state, desk, &mapping));
+        mapping.iter().for_each(|mapping| map(state, desk, mapping));
+    } else {
+        let mapping = mapping.unwrap_or_default();
+        let mapped = |file| MappedFile { file, mapping: mapping.clone() };
+        read(state, desk, corpora.into_iter().map(mapped).collect(), false);
     }
-    let mapping = mapping.unwrap_or_default();
-    let mapped = |file| MappedFile { file, mapping: mapping.clone() };
-    read(state, desk, corpora.into_iter().map(mapped).collect(), false);
+    is_ours
+}
+
+fn sorted(files: Vec<Offered>, text: &Text) -> Result<Sorted, String> {
+    let mut sorted = Sorted::default();
+    for Offered { name, bytes } in files {
+        let fault = |fault| (text.file_fault)(&name, fault);
+        let bytes = bytes.map_err(fault)?;
+        if is_mapping(&bytes) {
+            let mapping = Mapping::read(&String::from_utf8_lossy(&bytes));
+            sorted.mapping = Some(mapping.map_err(|wrong| format!("{name}: {wrong}."))?);
+        } else if files::kind(&name, &bytes) == Kind::Corpus {
+            sorted.corpora.push(CorpusFile { name, bytes });
+        } else {
+            sorted.given.extend(files::given(&name, bytes).map_err(fault)?);
+        }
+    }
+    Ok(sorted)
 }
 
 /// Gives the engine files to read as one corpus.
@@ -95,12 +108,6 @@ fn map(state: &mut State, desk: &mut Desk, mapping: &Mapping) {
     let mapped = |one: &MappedFile| MappedFile { file: one.file.clone(), mapping: mapping.clone() };
     let files: Vec<MappedFile> = files.iter().map(mapped).collect();
     read(state, desk, files, false);
-}
-
-/// A file of this name cannot be read.
-fn refuse(state: &mut State, desk: &mut Desk, name: &str, fault: Fault) {
-    let message = (Text::of(desk.language).file_fault)(name, fault);
-    say(state, desk, message);
 }
 
 fn is_mapping(bytes: &[u8]) -> bool {

@@ -24,6 +24,8 @@ pub struct Table {
     asked: Option<(View, u32)>,
     /// The first row in sight, and how many are.
     pub sight: (u32, u32),
+    /// Where the keyboard has gone and the page has not scrolled yet: what it says of before is old.
+    goal: Option<u32>,
     /// The row that the keyboard is at, by its place in the view.
     pub current: u32,
     /// The rows that were picked.
@@ -39,6 +41,7 @@ impl Table {
             stale: true,
             asked: None,
             sight: (0, 30),
+            goal: None,
             current: 0,
             picked: Rc::default(),
         }
@@ -65,6 +68,30 @@ impl Table {
     pub fn look(&mut self, change: impl FnOnce(&mut View)) {
         change(&mut self.view);
         (self.stale, self.sight.0, self.current) = (true, 0, 0);
+    }
+
+    /// The page has scrolled: this row is the first in sight, of so many.
+    pub fn scrolled(&mut self, top: u32, count: u32) {
+        match self.goal.take() {
+            Some(goal) if goal != top => self.sight = (goal, count),
+            _ => self.sight = (top, count),
+        }
+    }
+
+    /// The keyboard goes to a place, which is brought into sight.
+    pub fn go(&mut self, place: i64) {
+        let last = self.total().saturating_sub(1);
+        let place = u32::try_from(place.max(0)).unwrap_or(last).min(last);
+        self.current = place;
+        let (top, count) = self.sight;
+        // The last row in sight may be cut.
+        let whole = count.saturating_sub(2);
+        let to = match place {
+            place if place < top => place,
+            place if place > top + whole => place - whole,
+            _ => return,
+        };
+        (self.sight.0, self.goal) = (to, Some(to));
     }
 
     /// The rows have changed.

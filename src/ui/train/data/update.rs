@@ -7,10 +7,10 @@ use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
 use crate::worker::protocol::{CorpusFile, Request};
 
-/// Does what a person wants.
-pub fn update(state: &mut State, desk: &mut Desk, action: Action) {
+/// Does what a person wants; whether it is the corpus that there is to be seen of it.
+pub fn update(state: &mut State, desk: &mut Desk, action: Action) -> bool {
     match action {
-        Action::Offered(files) => open::open(state, desk, files),
+        Action::Offered(files) => return open::open(state, desk, files),
         Action::OpenDemo => open::open_demo(state, desk),
         Action::UseRejected => {
             let refused = state.refused.take().map(|refused| (refused.files, true));
@@ -47,6 +47,7 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action) {
         }
         Action::Map(action) => map(state, desk, action),
     }
+    true
 }
 
 /// The workbench is to be seen: it begins with the page's own sentences.

@@ -10,6 +10,7 @@ use crate::worker::protocol::Program;
 use gloo_timers::callback::Timeout;
 use js_sys::Function;
 use wasm_bindgen::JsValue;
+use wasm_bindgen_futures::spawn_local;
 use yew::Callback;
 
 /// Carries effects out, and tells the workbench what comes of them.
@@ -61,6 +62,8 @@ impl Effects {
                 let [kind, text, corpus] = news.words();
                 self.tell.call3(&JsValue::NULL, &kind.into(), &text.into(), &corpus.into())?;
             }
+            // The element may be in what is about to be drawn.
+            Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
             Effect::Save { name, text } => save(&name, &text)?,
             Effect::GiveBack(file) => save_bytes(&file.name, &file.bytes)?,
         }

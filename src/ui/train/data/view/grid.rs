@@ -131,11 +131,11 @@ fn head(sheet: &Sheet, text: &'static Text, act: &Callback<Look>) -> Html {
     };
     html! {
         <div role="row" class="grid-row grid-head" aria-rowindex="1">
-            { column("number", "#", Sort::Row) }
+            { column("n", "#", Sort::Row) }
             { column("said", text.command, Sort::Command) }
             { column("wide", text.filter_task, Sort::Task) }
             { column("wide", text.filter_worker, Sort::Worker) }
-            { column("wide number", text.pairs, Sort::Pairs) }
+            { column("wide n", text.pairs, Sort::Pairs) }
             { column("wide", text.filter_status, Sort::Status) }
             { column("", text.filter_outcome, Sort::Outcome) }
         </div>
@@ -173,7 +173,7 @@ fn row(props: &Props, place: u32, act: &Callback<Look>) -> Html {
     html! {
         <div key={place} id={format!("row-{row}")} role="row" {class} data-testid="row" aria-rowindex={index}
             aria-selected={picked.to_string()} onclick={act.reform(move |_| Look::Open(place))}>
-            <span role="gridcell" class="number">
+            <span role="gridcell" class="n">
                 <input type="checkbox" tabindex="-1" aria-label={(text.pick)(row + 1)} checked={picked} onchange={pick}
                     onclick={|event: MouseEvent| event.stop_propagation()} />
                 <span>{ row + 1 }</span>
@@ -186,7 +186,7 @@ fn row(props: &Props, place: u32, act: &Callback<Look>) -> Html {
             </span>
             <span role="gridcell" class="wide clip">{ task.clone().unwrap_or_default() }</span>
             <span role="gridcell" class="wide clip">{ worker.clone().unwrap_or_default() }</span>
-            <span role="gridcell" class="wide number">{ pairs }</span>
+            <span role="gridcell" class="wide n">{ pairs }</span>
             <span role="gridcell" class="wide clip">
                 { (text.status)(Status::of(decision)) }
                 if *half != Default::default() { {" · "}{ (text.half)(*half) } }

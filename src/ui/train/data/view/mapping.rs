@@ -14,7 +14,15 @@ pub(super) fn mapping(desk: &Desk, text: &Text, act: &Callback<Action>) -> Html 
     let names: Vec<String> = all.iter().map(|column| (text.column)(*column)).collect();
     let is_complete = desk.mapping().is_complete();
     let file = desk.files.first().map_or("", |file| &file.name);
-    let header = |at: usize, name: &String| {
+    // Columns with something in them come first: a platform's own are many, and mostly empty.
+    let is_empty = |at: &usize| {
+        desk.preview.rows.iter().all(|row| row.get(*at).is_none_or(|cell| cell.is_empty()))
+    };
+    let (empty, mut order): (Vec<usize>, Vec<usize>) =
+        (0..desk.preview.columns.len()).partition(is_empty);
+    order.extend(empty);
+    let header = |at: usize| {
+        let name = desk.preview.columns.get(at).map_or("", String::as_str);
         let column = desk.columns.get(at).copied().unwrap_or(Column::Unused);
         let chosen = all.iter().position(|one| *one == column).unwrap_or(0);
         let (choose, all) = (act.clone(), all.clone());
@@ -30,12 +38,12 @@ pub(super) fn mapping(desk: &Desk, text: &Text, act: &Callback<Action>) -> Html 
         <section class="card" aria-labelledby="mapping-title" data-testid="mapping">
             <h2 id="mapping-title">{ text.map }</h2>
             <p>{ (text.map_help)(file) }</p>
-            <div class="scroll" tabindex="0" role="region" aria-labelledby="mapping-title">
+            <div class="scroll" tabindex="0" role="region" aria-label={file.to_owned()}>
                 <table class="preview">
-                    <thead><tr>{ for desk.preview.columns.iter().enumerate().map(|(at, name)| header(at, name)) }</tr></thead>
+                    <thead><tr>{ for order.iter().map(|at| header(*at)) }</tr></thead>
                     <tbody>
                         { for desk.preview.rows.iter().map(|row| html! {
-                            <tr>{ for row.iter().map(|cell| html! { <td>{ cell }</td> }) }</tr>
+                            <tr>{ for order.iter().map(|at| html! { <td>{ row.get(*at) }</td> }) }</tr>
                         }) }
                     </tbody>
                 </table>

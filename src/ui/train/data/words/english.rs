@@ -123,7 +123,7 @@ pub(super) static ENGLISH: Text = Text {
     after: "After:",
     close: "Close the row",
     where_from: |id, line| if line > 0 { format!("{id}, line {line}") } else { id.to_owned() },
-    readings: |n| format!("{n} readings"),
+    readings: |n| if n == 1 { "1 reading".to_owned() } else { format!("{n} readings") },
     valid_for: |valid, n| {
         format!("{} for demonstration {n}", if valid { "valid" } else { "not valid" })
     },

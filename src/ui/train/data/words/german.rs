@@ -127,7 +127,7 @@ pub(super) static GERMAN: Text = Text {
     after: "Nachher:",
     close: "Zeile schließen",
     where_from: |id, line| if line > 0 { format!("{id}, Zeile {line}") } else { id.to_owned() },
-    readings: |n| format!("{n} Lesarten"),
+    readings: |n| if n == 1 { "1 Lesart".to_owned() } else { format!("{n} Lesarten") },
     valid_for: |valid, n| {
         format!("{} für Vorführung {n}", if valid { "gültig" } else { "nicht gültig" })
     },

@@ -73,7 +73,7 @@ fn counted<'a>(
     let values = points.iter().map(|point| (point.progress.epoch, count(point) as f64));
     let values: Vec<(u32, [f64; 3])> = values.map(|(epoch, n)| (epoch, [n, n, n])).collect();
     let most = values.iter().map(|(_, [n, ..])| *n).fold(least, f64::max);
-    let most = if least > 0.0 { most } else { round_up(most) };
+    let most = if least > 0.0 { most } else { round_up(most.max(2.0)) };
     let lines = vec![(name, "first", series(&values, epochs, most))];
     Chart { name, epochs, most, is_share: false, lines }
 }
@@ -82,7 +82,8 @@ fn chart(chart: &Chart<'_>) -> Html {
     let [left, _, right, bottom] = FRAME;
     let label = |value: f64| match chart.is_share {
         true => format!("{value:.2}"),
-        false => format!("{value:.0}"),
+        false if value.fract() == 0.0 => format!("{value:.0}"),
+        false => format!("{value:.1}"),
     };
     let grid = [0.0, 0.5, 1.0].map(|part| part * chart.most);
     let several = chart.lines.len() > 1;
