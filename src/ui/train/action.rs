@@ -1,7 +1,7 @@
 //! What can happen to the workbench: a person did it in one of its parts, the page told it, an engine said it, or a
 //! timer ran out.
 
-use super::{data, run};
+use super::{data, lexicon, run};
 use crate::ui::page::document::Model;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Preferences;
@@ -15,17 +15,20 @@ pub enum Tab {
     Data,
     /// Training.
     Run,
+    /// What was learned.
+    Lexicon,
 }
 
 impl Tab {
     /// All of them, in order.
-    pub const ALL: [Tab; 2] = [Tab::Data, Tab::Run];
+    pub const ALL: [Tab; 3] = [Tab::Data, Tab::Run, Tab::Lexicon];
 
     /// What it is called in the page's code.
     pub const fn name(self) -> &'static str {
         match self {
             Tab::Data => "data",
             Tab::Run => "run",
+            Tab::Lexicon => "lexicon",
         }
     }
 }
@@ -37,6 +40,8 @@ pub enum Action {
     Data(data::Action),
     /// Something was done about training.
     Run(run::Action),
+    /// Something was done with what was learned.
+    Lexicon(lexicon::Action),
 
     /// Another part was chosen.
     Turn(Tab),

@@ -2,13 +2,13 @@
 
 use super::restart::restart;
 use super::state::State;
-use super::{data, run};
+use super::{data, lexicon, run};
 use crate::ui::page::engines::News;
 use crate::worker::protocol::{Event, Program, Request};
 
 /// There is news of an engine, or none.
 pub(super) fn told(state: &mut State, news: Option<News>) {
-    let State { desk, data, run, .. } = state;
+    let State { desk, data, run, lexicon, .. } = state;
     match news {
         Some(News::Progress(
             event @ (Event::Progress(_) | Event::HeldOut { .. } | Event::Paused),
@@ -18,6 +18,13 @@ pub(super) fn told(state: &mut State, news: Option<News>) {
         Some(News::Answer(Request::Look | Request::Checkpoint | Request::ModelSoFar, event)) => {
             run::hear::answered(run, desk, event)
         }
+        Some(News::Answer(
+            request @ (Request::Entries { .. }
+            | Request::Errors
+            | Request::Without { .. }
+            | Request::Compare { .. }),
+            event,
+        )) => lexicon::hear::answered(lexicon, desk, &request, event),
         Some(News::Answer(request, event)) => data::hear::answered(data, desk, request, event),
         Some(News::Stopped) => {
             (data.reading, data.auditing) = (None, None);

@@ -2,7 +2,8 @@
 
 use super::action::Tab;
 use super::desk::Desk;
-use super::{data, run};
+use super::{data, lexicon, run};
+use crate::worker::protocol::Confused;
 
 /// All that the workbench knows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,4 +18,15 @@ pub struct State {
     pub data: data::State,
     /// Training.
     pub run: run::State,
+    /// What was learned.
+    pub lexicon: lexicon::State,
+}
+
+impl State {
+    /// What wrong answers to what is held out did instead, of the last model that was judged on it.
+    pub fn confused(&self) -> &[Confused] {
+        let points = self.run.run.as_ref().map(|run| &run.points[..]).unwrap_or_default();
+        let last = points.iter().rev().find_map(|point| point.judgement.as_ref());
+        last.map(|judgement| &judgement.confusion[..]).unwrap_or_default()
+    }
 }

@@ -5,12 +5,12 @@ use super::effect::Effect;
 use super::restart::restart;
 use super::run::update::Ground;
 use super::state::State;
-use super::{data, hear, run};
+use super::{data, hear, lexicon, run};
 use crate::ui::page::engines;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
-    let State { desk, shown, tab, data, run } = state;
+    let State { desk, shown, tab, data, run, lexicon } = state;
     match action {
         Action::Data(action) => {
             if data::update::update(data, desk, action) {
@@ -19,11 +19,19 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         }
         Action::Run(action) => {
             let name = data.sheet.as_ref().map_or(String::new(), |sheet| sheet.name.clone());
-            let ground = Ground { name, commands: data.commands(), lexicon: data.lexicon() };
+            let seen = *shown && *tab == Tab::Run;
+            let ground = Ground { name, commands: data.commands(), lexicon: data.lexicon(), seen };
             run::update::update(run, desk, action, ground);
         }
 
-        Action::Turn(to) => *tab = to,
+        Action::Lexicon(action) => lexicon::update::update(lexicon, desk, action),
+
+        Action::Turn(to) => {
+            *tab = to;
+            if to == Tab::Lexicon {
+                lexicon::update::update(lexicon, desk, lexicon::Action::Shown);
+            }
+        }
         Action::Shown(now) => {
             *shown = now;
             if now {

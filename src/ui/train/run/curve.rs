@@ -75,7 +75,13 @@ pub fn series(values: &[(u32, [f64; 3])], epochs: u32, most: f64) -> Series {
 
 /// A round number that is at least so much, for the end of an axis.
 pub fn round_up(value: f64) -> f64 {
-    let value = value.max(1.0);
-    let unit = 10f64.powf(value.log10().floor());
-    [1.0, 2.0, 2.5, 5.0, 10.0].into_iter().map(|n| n * unit).find(|n| *n >= value).unwrap_or(value)
+    let mut unit = 1.0;
+    loop {
+        let fits = [1.0, 2.0, 2.5, 5.0].into_iter().map(|n| n * unit).find(|n| *n >= value);
+        match fits {
+            Some(round) => return round,
+            None if unit > value => return value,
+            None => unit *= 10.0,
+        }
+    }
 }

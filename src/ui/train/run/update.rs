@@ -18,6 +18,8 @@ pub struct Ground {
     pub commands: usize,
     /// What suits it.
     pub lexicon: Lexicon,
+    /// Whether training is to be seen.
+    pub seen: bool,
 }
 
 /// Does what a person wants.
@@ -57,7 +59,9 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action, ground: Ground
             }
         }
         Action::Rang(timer) if timer == state.timer && state.live().is_some() => {
-            desk.ask(Request::Look);
+            if ground.seen {
+                desk.ask(Request::Look);
+            }
             look_on(state, desk);
         }
         Action::Rang(_) => {}

@@ -9,6 +9,7 @@ use crate::ui::page::words::Text as Common;
 use crate::ui::train::action::{Action, Tab};
 use crate::ui::train::data;
 use crate::ui::train::data::view::panel as data_panel;
+use crate::ui::train::lexicon::view::panel as lexicon_panel;
 use crate::ui::train::run::view::panel as run_panel;
 use crate::ui::train::state::State;
 use crate::ui::train::update::reduce;
@@ -79,7 +80,7 @@ impl Component for Workbench {
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let State { desk, shown, tab, data, run } = &self.state;
+        let State { desk, shown, tab, data, run, lexicon } = &self.state;
         if !shown {
             return Html::default();
         }
@@ -110,6 +111,7 @@ impl Component for Workbench {
                         { match tab {
                             Tab::Data => data_panel(data, desk, &act.reform(Action::Data)),
                             Tab::Run => run_panel(run, desk, data.commands(), &act.reform(Action::Run), &offer),
+                            Tab::Lexicon => lexicon_panel(lexicon, desk, self.state.confused(), &act.reform(Action::Lexicon)),
                         } }
                     </div>
                 </main>

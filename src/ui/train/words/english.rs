@@ -9,5 +9,6 @@ pub(super) static ENGLISH: Text = Text {
     tab: |tab| match tab {
         Tab::Data => "Data",
         Tab::Run => "Train",
+        Tab::Lexicon => "What it learned",
     },
 };

@@ -9,5 +9,6 @@ pub(super) static GERMAN: Text = Text {
     tab: |tab| match tab {
         Tab::Data => "Daten",
         Tab::Run => "Trainieren",
+        Tab::Lexicon => "Gelerntes",
     },
 };

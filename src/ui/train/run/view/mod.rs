@@ -1,5 +1,6 @@
 //! Training as Yew draws it; wasm only.
 
+mod press;
 mod settings;
 mod curves;
 mod now;

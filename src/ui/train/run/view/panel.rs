@@ -2,6 +2,7 @@
 
 use super::curves::curves;
 use super::now::now;
+use super::press::press;
 use super::settings::settings;
 use crate::ui::page::files::Offered;
 use crate::ui::page::view::files::open_file;
@@ -12,7 +13,7 @@ use crate::ui::train::run::clock::Clock;
 use crate::ui::train::run::state::{Pace, Run, State, can_train};
 use crate::ui::train::run::words::Text;
 use crate::worker::protocol::Progress;
-use yew::{Callback, Html, classes, html};
+use yew::{Callback, Html, html};
 
 /// Training on so many commands.
 pub(crate) fn panel(
@@ -102,20 +103,6 @@ fn buttons(
             }
             if can_resume { { press("quiet", "resume", text.resume, false, act, Action::GoOn) } }
         </p>
-    }
-}
-
-pub(super) fn press(
-    class: &'static str,
-    id: &'static str,
-    words: &'static str,
-    off: bool,
-    act: &Callback<Action>,
-    action: Action,
-) -> Html {
-    let press = act.reform(move |_| action.clone());
-    html! {
-        <button type="button" class={classes!(class)} data-testid={id} disabled={off} onclick={press}>{ words }</button>
     }
 }
 

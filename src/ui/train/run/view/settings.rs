@@ -1,6 +1,6 @@
 //! The settings of the next run; the paper's unless a person says otherwise.
 
-use super::panel::press;
+use super::press::press;
 use crate::ui::page::view::fields::{choice, number, tick};
 use crate::ui::train::run::action::{Action, Number, Setting};
 use crate::ui::train::run::state::State;
