@@ -10,7 +10,7 @@ use super::flaw::{Flaw, Wrong};
 /// What a form's reader comes to in a step.
 pub(super) enum Found {
     Nothing,
-    Row(Row),
+    Row(Box<Row>),
     Draft(Box<Draft>),
     Over,
 }

@@ -157,7 +157,7 @@ pub struct Row {
 
 impl Row {
     /// A row of which there is only bad to say.
-    pub(crate) fn bad(flaw: Flaw, raw: Vec<u8>) -> Row {
-        Row { example: None, rejected: false, flaws: vec![flaw], raw }
+    pub(crate) fn bad(flaw: Flaw, raw: Vec<u8>) -> Box<Row> {
+        Box::new(Row { example: None, rejected: false, flaws: vec![flaw], raw })
     }
 }

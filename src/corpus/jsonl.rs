@@ -152,7 +152,7 @@ fn row(text: &str, line: u64, options: &Options) -> Found {
     let reason = plain(&mapping.reject, REASON);
     let decided = decision(status.as_deref(), approve.as_deref(), reason.as_deref());
     if !options.with_rejected && matches!(decided, Decision::Rejected(_)) {
-        return Found::Row(Row { rejected: true, ..Row::default() });
+        return Found::Row(Box::new(Row { rejected: true, ..Row::default() }));
     }
     let mut draft = Draft::new(line, raw());
     draft.decision = decided;

@@ -131,7 +131,7 @@ impl Mapping {
     pub fn propose(columns: &[String]) -> Mapping {
         let mut free: Vec<&String> = columns.iter().filter(|name| name.len() < 80).collect();
         let mut take = |usual: &[&str], words: &[&str]| {
-            let by_name = |name: &&String| usual.iter().any(|usual| *usual == name.as_str());
+            let by_name = |name: &&String| usual.contains(&name.as_str());
             let by_word = |name: &&String| parts(name).iter().any(|part| words.contains(&&**part));
             let at = free.iter().position(by_name).or_else(|| free.iter().position(by_word))?;
             Some(free.remove(at).clone())

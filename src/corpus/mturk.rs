@@ -112,7 +112,7 @@ fn row(header: &Header, mut record: Record, options: &Options) -> Found {
     let cell = |at: Option<usize>| record.cells.get(at?);
     let decided = decision(cell(header.status), cell(header.approve), cell(header.reason));
     if !options.with_rejected && matches!(decided, Decision::Rejected(_)) {
-        return Found::Row(Row { rejected: true, ..Row::default() });
+        return Found::Row(Box::new(Row { rejected: true, ..Row::default() }));
     }
     let mut draft = Draft::new(record.line, raw);
     draft.decision = decided;

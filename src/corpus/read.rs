@@ -103,7 +103,7 @@ impl<R: Read> Rows<R> {
         }
         match found {
             Found::Nothing => Ok(Step::Working),
-            Found::Row(row) => Ok(Step::Row(Box::new(row))),
+            Found::Row(row) => Ok(Step::Row(row)),
             Found::Draft(draft) => {
                 self.draft = Some(draft);
                 Ok(Step::Working)

@@ -135,7 +135,12 @@ impl Audit {
     }
 
     /// The model.
-    pub fn model(&mut self) -> &mut Model {
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The model, to be asked.
+    pub fn model_mut(&mut self) -> &mut Model {
         &mut self.model
     }
 

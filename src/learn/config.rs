@@ -104,6 +104,5 @@ impl Config {
 
 /// Kinds by their names; other names are none.
 fn kinds(names: &str) -> Kinds {
-    let named = |name: &str| Kind::ALL.iter().find(|(known, _)| *known == name).map(|(_, k)| *k);
-    names.split(' ').filter_map(named).collect()
+    names.split(' ').filter_map(Kind::named).collect()
 }

@@ -292,6 +292,11 @@ impl Trainer {
         self.born.iter().map(|at| command(at).unwrap_or_default()).collect()
     }
 
+    /// How far it is.
+    pub fn progress(&self) -> Progress {
+        Progress { epoch: self.epoch, example: self.seen(), so_far: self.so_far }
+    }
+
     /// Does the next part; the progress when that ended an example.
     pub fn step(&mut self) -> Option<Progress> {
         if self.is_done() {
@@ -335,7 +340,7 @@ impl Trainer {
         let entries = std::mem::replace(&mut self.entries, self.model.lexicon.len());
         self.last = Some(Last { at, readings, judged, steps, entries });
         self.next += 1;
-        let progress = Progress { epoch: self.epoch, example: self.seen(), so_far: self.so_far };
+        let progress = self.progress();
         if self.next == self.items.len() {
             self.model.facts.insert("valid".to_owned(), self.so_far.valid.to_string());
             self.begin_epoch();

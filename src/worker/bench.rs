@@ -10,6 +10,7 @@ use super::training::Training;
 use crate::ccg::{Model, probability};
 use crate::corpus::{Example, Pair, jsonl, preview, share, table};
 use crate::ground::{PairId, Validator};
+use crate::learn::audit::Rows;
 use crate::learn::inspect::{EntryView, difference, entries, without};
 use crate::learn::sheet::{Half, Sheet};
 use crate::logic::read as read_term;
@@ -90,17 +91,19 @@ impl Learner {
     }
 
     /// The model that was audited, or else trained last.
-    fn model(&mut self) -> Result<Model, String> {
-        let audited = self.audit.as_mut().map(|audit| audit.model().clone());
+    fn model(&self) -> Result<Model, String> {
+        let audited = self.audit.as_ref().map(|audit| audit.model().clone());
         let trained = || self.training.as_ref().and_then(|training| training.model());
         Ok(audited.or_else(trained).ok_or("There is no model yet: train one, or open one.")?)
     }
 
     fn entries(&mut self, view: &EntryView, offset: u32, count: u32) -> Result<Event, String> {
-        let model = self.model()?;
         let origins = self.training.as_ref().map(Training::origins).unwrap_or_default();
-        let uses = |id| self.audit.as_ref().map(|audit| audit.uses(id)).unwrap_or_default();
-        let window = entries(&model, (view, offset, count), &origins, uses);
+        let asked = (view, offset, count);
+        let window = match &self.audit {
+            Some(audit) => entries(audit.model(), asked, &origins, |id| audit.uses(id)),
+            None => entries(&self.model()?, asked, &origins, |_| Rows::default()),
+        };
         Ok(Event::Entries(Box::new(window)))
     }
 
@@ -108,7 +111,7 @@ impl Learner {
     fn read_row(&mut self, row: u32) -> Result<Event, String> {
         let example = example(&self.sheet, row as usize)?.clone();
         let audit = self.audit.as_mut().ok_or("No model was asked about the rows yet.")?;
-        let model = audit.model();
+        let model = audit.model_mut();
         let parse = parsed(model, &example.command);
         let mut validator = Validator::new();
         let ids: Vec<PairId> =

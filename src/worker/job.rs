@@ -9,7 +9,7 @@ pub trait Role: Default {
     /// Which program that is.
     const PROGRAM: Program;
 
-    /// Begins what is asked, or says why it cannot. Nothing that is kept may change before the job is over.
+    /// Begins what is asked, or says why it cannot. Nothing that was loaded may change before the job is over.
     ///
     /// # Errors
     /// In words: what is wrong with the request, or that it is the other program's.

@@ -105,7 +105,7 @@ impl Learner {
             }
             None => {
                 let trained = self.training.as_ref().and_then(Training::model);
-                let known = || self.audit.as_mut().map(|audit| audit.model().clone());
+                let known = || self.audit.as_ref().map(|audit| audit.model().clone());
                 trained.or_else(known).ok_or("There is no model yet: train one, or open one.")?
             }
         };

@@ -2,7 +2,6 @@
 
 use super::experiment::judgement;
 use super::job::{Job, Step};
-use super::learner::Learner;
 use super::progress::progress;
 use super::protocol::{Event, ExperimentProgress, Joined, Matrix, RunPart, RunReport, Settings};
 use crate::learn::runs::{Plan, RunResult, Shard, Told, export, join, results};
@@ -16,7 +15,7 @@ pub(super) fn plan(sheet: &Sheet, matrix: &Matrix, settings: &Settings) -> Resul
 }
 
 /// Some runs of a plan.
-pub(super) fn run(sheet: &Sheet, plan: &str, runs: Vec<u32>) -> Result<Job<Learner>, String> {
+pub(super) fn run<R>(sheet: &Sheet, plan: &str, runs: Vec<u32>) -> Result<Job<R>, String> {
     let plan = read(plan)?;
     let n_runs = runs.len();
     let places = runs.clone();

@@ -37,7 +37,8 @@ struct Judging {
 
 impl Training {
     pub(super) fn new(trainer: Trainer, held_out: Vec<Example>) -> Training {
-        let (judging, said, at, ended) = (None, VecDeque::new(), None, None);
+        let (judging, said, ended) = (None, VecDeque::new(), None);
+        let at = Some(trainer.progress());
         Training { trainer: Some(trainer), held_out, judging, said, at, ended }
     }
 
@@ -113,16 +114,16 @@ impl Training {
         Step::Over(Event::Cancelled)
     }
 
-    /// Where it may rest.
+    /// Where it may rest: between two commands, or while it is judged.
     pub(super) fn rest(&self) -> Rest {
-        let Some(trainer) = self.trainer.as_ref().filter(|trainer| trainer.is_between()) else {
-            return Rest::Nowhere;
+        let Some(trainer) = self.trainer.as_ref().filter(|_| self.judging.is_none()) else {
+            return Rest::Example;
         };
         let is_epoch = self.at.is_some_and(|at| at.example == trainer.n_examples());
-        match (self.judging.is_some(), is_epoch) {
-            (true, _) => Rest::Nowhere,
-            (false, true) => Rest::Epoch,
-            (false, false) => Rest::Example,
+        match (trainer.is_between(), is_epoch) {
+            (false, _) => Rest::Nowhere,
+            (true, true) => Rest::Epoch,
+            (true, false) => Rest::Example,
         }
     }
 

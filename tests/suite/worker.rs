@@ -6,6 +6,8 @@ mod answers;
 mod doubts;
 #[path = "worker/experiments.rs"]
 mod experiments;
+#[path = "worker/large.rs"]
+mod large;
 #[path = "worker/messages.rs"]
 mod messages;
 #[path = "worker/plans.rs"]

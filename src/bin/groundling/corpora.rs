@@ -3,7 +3,7 @@
 use super::command::Failure;
 use groundling::ccg::{General, Model};
 use groundling::corpus::limits::MAX_FILE_BYTES;
-use groundling::corpus::{Example, Flaw, Options, read, text_of};
+use groundling::corpus::{Example, Flaw, Mapping, Options, read, text_of};
 use serde_json::Value;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
@@ -56,6 +56,17 @@ impl std::fmt::Display for Rows {
 /// The examples of all files in their order; what became of the rows, and what is wrong or odd with one, goes to
 /// standard error.
 pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Loaded, Failure> {
+    mapped(files, &Options { with_rejected, ..Options::default() })
+}
+
+/// The mapping of columns in a file.
+pub(crate) fn mapping(path: &Path) -> Result<Mapping, Failure> {
+    Mapping::read(&text(path)?)
+        .map_err(|e| Failure::Usage(format!("{}: no mapping: {e}", path.display())))
+}
+
+/// The same, with what is to be taken of the files.
+pub(crate) fn mapped(files: &[PathBuf], options: &Options) -> Result<Loaded, Failure> {
     let mut all = Loaded::default();
     for path in files {
         let failed = |source| Failure::Input { path: path.clone(), source };
@@ -74,7 +85,7 @@ pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Loaded,
             }
             Box::new(file)
         };
-        let (corpus, flaws) = read(source, Options { with_rejected, ..Options::default() });
+        let (corpus, flaws) = read(source, options.clone());
         let rows =
             Rows { read: corpus.rows(), rejected: corpus.rejected, left_out: corpus.left_out };
         if let Some(why) = corpus.why_empty(&flaws) {

@@ -1,11 +1,11 @@
 //! `train`: corpora in, a model file out.
 
 use super::command::{Command, Done, Failure, once};
-use super::corpora::{Loaded, examples, model, text};
+use super::corpora::{Loaded, mapped, mapping, model, text};
 use super::figures::scores_json;
 use super::output::Output;
-use groundling::ccg::{ChartConfig, Doubt, EntryText};
-use groundling::corpus::Example;
+use groundling::ccg::{ChartConfig, Doubt, EntryText, Kind};
+use groundling::corpus::{Example, Mapping, Options as Admitted};
 use groundling::learn::{CLEANUP_LEXICON, Config, Evaluation, Taught, Trainer, seed_model, teach};
 use lexopt::ValueExt;
 use serde_json::{Value, json};
@@ -19,12 +19,16 @@ pub(crate) const COMMAND: Command = Command {
     usage: "[--into MODEL] --corpus FILE… --out MODEL [OPTIONS]",
     details: "  --corpus FILE…        batch-results CSV or JSON, found out by what is in it\n\
               \x20 --out MODEL           where the model goes; - is standard output\n\
+              \x20 --mapping FILE        which column says what, where their names do not tell\n\
               \x20 --demonstrations N    look at the first N pairs of each row (all)\n\
               \x20 --with-rejected       use rejected rows too\n\
               \x20 --epochs N            passes over the corpus (15)\n\
               \x20 --beam N              edges per span when parsing (150)\n\
               \x20 --lexical-beam N      edges per span when generating entries (75)\n\
               \x20 --seed N              of the order of examples in each epoch (0)\n\
+              \x20 --margin X            by how much a valid reading is to outscore an invalid one (2)\n\
+              \x20 --generations N       epochs in which entries are generated (2)\n\
+              \x20 --without KIND…       do without features: lexeme, template, entry, rule, pair, conjoined, alone, head\n\
               \x20 --lexicon FILE        the seed lexicon (that of the whole domain)\n\
               \x20 --without-idioms      give no whole command a meaning of its own\n\
               \x20 --doubt MAP           how far its answers can be trusted, as `calibrate` learned it\n\
@@ -47,6 +51,7 @@ struct Options {
     checkpoint: Option<PathBuf>,
     resume: Option<PathBuf>,
     into: Option<PathBuf>,
+    mapping: Option<PathBuf>,
     with_rejected: bool,
     json: bool,
     config: Config,
@@ -60,20 +65,25 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
         return Err(missing("--corpus FILE"));
     }
     let inputs = || {
-        let others = [&options.lexicon, &options.doubt];
+        let others = [&options.lexicon, &options.doubt, &options.mapping];
         options.corpus.iter().chain(&options.held_out).chain(others.into_iter().flatten())
     };
     let out = Output::at(&out, inputs())?;
     let checkpoint = options.checkpoint.as_deref();
     let checkpoint = checkpoint.map(|path| Output::at(path, inputs())).transpose()?;
-    let loaded = examples(&options.corpus, options.with_rejected)?;
+    let mapping = options.mapping.as_deref().map(mapping).transpose()?;
+    let admitted = Admitted {
+        with_rejected: options.with_rejected,
+        mapping: mapping.unwrap_or_else(Mapping::default),
+    };
+    let loaded = mapped(&options.corpus, &admitted)?;
     // Standard error may be gone; the work goes on.
     let _ = writeln!(io::stderr(), "{}", loaded.rows);
     if let Some(path) = &options.into {
         return into(path, &loaded, &options, &out);
     }
     let Loaded { examples: training, rows } = loaded;
-    let held_out = examples(&options.held_out, options.with_rejected)?.examples;
+    let held_out = mapped(&options.held_out, &admitted)?.examples;
     let doubt = options.doubt.as_deref().map(doubt_of).transpose()?;
     let started = Instant::now();
     let mut trainer = match &options.resume {
@@ -221,12 +231,33 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
                 options.config.lexical_beam = at_least_one(&mut arguments, "--lexical-beam")?;
             }
             Long("doubt") => once(&mut options.doubt, "--doubt", &mut arguments)?,
+            Long("mapping") => once(&mut options.mapping, "--mapping", &mut arguments)?,
+            Long("margin") => options.config.margin = margin(arguments.value()?)?,
+            Long("generations") => options.config.generations = arguments.value()?.parse()?,
+            Long("without") => {
+                let kinds: Result<Vec<Kind>, Failure> = arguments.values()?.map(kind).collect();
+                options.config.without = kinds?.into_iter().collect();
+            }
             Long("without-idioms") => options.config.idioms = false,
             Long("seed") => options.config.seed = arguments.value()?.parse()?,
             other => return Err(other.unexpected().into()),
         }
     }
     Ok(options)
+}
+
+fn margin(text: std::ffi::OsString) -> Result<f64, Failure> {
+    let value: f64 = text.parse()?;
+    let is_one = (0.0..=1_000.0).contains(&value);
+    is_one.then_some(value).ok_or_else(|| Failure::Usage("--margin must be from 0 to 1000".into()))
+}
+
+fn kind(name: std::ffi::OsString) -> Result<Kind, Failure> {
+    let name = name.string()?;
+    Kind::named(&name).ok_or_else(|| {
+        let names = Kind::ALL.map(|(name, _)| name).join(", ");
+        Failure::Usage(format!("--without `{name}`: use one of {names}"))
+    })
 }
 
 pub(crate) fn at_least_one(arguments: &mut lexopt::Parser, name: &str) -> Result<u32, Failure> {

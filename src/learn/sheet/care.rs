@@ -1,27 +1,13 @@
 //! Which rows a person should look at before anything is learned from them. Each rule is a pure function of the rows
 //! (and of what a model makes of them) that says why.
 
-use super::row::Outcome;
+use super::row::{Outcome, Rule};
 use crate::ccg::words;
 use crate::corpus::Example;
 use indexmap::IndexMap;
 use rustc_hash::{FxBuildHasher, FxHashMap, FxHashSet};
 use serde::{Deserialize, Serialize};
 use std::hash::{BuildHasher, BuildHasherDefault};
-
-/// A reason to look at a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Rule {
-    /// No reading that the model gives does what was shown, or there is no reading.
-    Invalid,
-    /// It has hardly a word in common with the others of its task.
-    Strange,
-    /// The same person said the same of the same demonstrations before.
-    Duplicate,
-    /// It has too few words.
-    Short,
-}
 
 /// How strict the rules are.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -7,8 +7,8 @@ pub mod view;
 pub mod change;
 pub mod care;
 
-pub use care::{Rule, Rules};
+pub use care::Rules;
 pub use change::{Deed, Done, Verdict};
-pub use row::{Half, Line, Outcome, Source, Status};
+pub use row::{Half, Line, Outcome, Rule, Source, Status};
 pub use rows::{Care, Sheet};
 pub use view::{Facet, Facets, Sort, View, Window};

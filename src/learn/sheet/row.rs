@@ -1,6 +1,5 @@
 //! What there is to say of one row, beside its command and states.
 
-use super::care::Rule;
 use crate::corpus::{BadRows, Decision, Mapping};
 use serde::{Deserialize, Serialize};
 
@@ -73,6 +72,20 @@ pub enum Outcome {
     Invalid,
     /// There is no reading.
     Unread,
+}
+
+/// A reason to look at a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Rule {
+    /// No reading that the model gives does what was shown, or there is no reading.
+    Invalid,
+    /// It has hardly a word in common with the others of its task.
+    Strange,
+    /// The same person said the same of the same demonstrations before.
+    Duplicate,
+    /// It has too few words.
+    Short,
 }
 
 /// A row as a line of a table.

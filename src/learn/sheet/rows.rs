@@ -1,9 +1,9 @@
 //! The sheet itself: rows and what became of them. Lookups are answered from plain arrays, and a view is looked for once
 //! as long as nothing changes, so that a hundred thousand rows are scrolled at once.
 
-use super::care::{Marks, Rule, Rules, duplicate, invalid, short, strange};
+use super::care::{Marks, Rules, duplicate, invalid, short, strange};
 use super::change::{Before, Deed, Done, History, Verdict};
-use super::row::{Half, Line, Outcome, Source, Status};
+use super::row::{Half, Line, Outcome, Rule, Source, Status};
 use super::view::{Facet, Facets, MOST_LINES, MOST_VALUES, Sort, View, Window};
 use crate::corpus::{Decision, Example};
 use indexmap::{IndexMap, IndexSet};

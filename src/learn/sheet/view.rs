@@ -1,7 +1,6 @@
 //! Looking at a sheet: which rows, in which order, a window of them at a time; and what there is to filter by.
 
-use super::care::Rule;
-use super::row::{Half, Line, Outcome, Status};
+use super::row::{Half, Line, Outcome, Rule, Status};
 use serde::{Deserialize, Serialize};
 
 /// The most lines of a window.

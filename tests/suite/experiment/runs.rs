@@ -51,7 +51,7 @@ fn a_plan_is_repeated_by_one_by_several_and_in_shards() {
             &["experiment", "run", "--plan", &plan, "--corpus", LEARN][..],
             "the plan is for another corpus",
         ),
-        (&["experiment", "run", "--plan", SIX, "--corpus", SIX], "no plan: not JSON"),
+        (&["experiment", "run", "--plan", SIX, "--corpus", SIX], "no plan: "),
         (&["experiment", "join", "--plan", &plan, "--shard", &shards[0]], "run 1 is missing"),
         (&["experiment", "plan", "--corpus", SIX, "--matrix", "{}"], "--matrix {}"),
         (&["experiment", "plan", "--corpus", SIX], "Nothing is held out"),
