@@ -1,7 +1,7 @@
 //! What can happen to the workbench: a person did it in one of its parts, the page told it, an engine said it, or a
 //! timer ran out.
 
-use super::{data, lexicon, run};
+use super::{data, experiments, lexicon, run};
 use crate::ui::page::document::Model;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Preferences;
@@ -15,19 +15,22 @@ pub enum Tab {
     Data,
     /// Training.
     Run,
+    /// Several runs beside one another.
+    Experiments,
     /// What was learned.
     Lexicon,
 }
 
 impl Tab {
     /// All of them, in order.
-    pub const ALL: [Tab; 3] = [Tab::Data, Tab::Run, Tab::Lexicon];
+    pub const ALL: [Tab; 4] = [Tab::Data, Tab::Run, Tab::Experiments, Tab::Lexicon];
 
     /// What it is called in the page's code.
     pub const fn name(self) -> &'static str {
         match self {
             Tab::Data => "data",
             Tab::Run => "run",
+            Tab::Experiments => "experiments",
             Tab::Lexicon => "lexicon",
         }
     }
@@ -40,6 +43,8 @@ pub enum Action {
     Data(data::Action),
     /// Something was done about training.
     Run(run::Action),
+    /// Something was done about experiments.
+    Experiments(experiments::Action),
     /// Something was done with what was learned.
     Lexicon(lexicon::Action),
 

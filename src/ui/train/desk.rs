@@ -61,7 +61,9 @@ impl Desk {
 
     /// Whether it is learning, or will be as soon as it can.
     pub fn is_learning(&self) -> bool {
-        self.learner.is_at(|request| matches!(request, Request::Learn { .. }))
+        let learns =
+            |request: &Request| matches!(request, Request::Learn { .. } | Request::RunShard { .. });
+        self.learner.is_at(learns)
     }
 
     /// Asks the engine to stop what it is doing.

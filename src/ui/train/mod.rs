@@ -7,6 +7,7 @@ pub mod effect;
 pub mod desk;
 pub mod data;
 pub mod run;
+pub mod experiments;
 pub mod lexicon;
 pub mod action;
 pub mod state;

@@ -2,7 +2,7 @@
 
 use super::action::Tab;
 use super::desk::Desk;
-use super::{data, lexicon, run};
+use super::{data, experiments, lexicon, run};
 use crate::worker::protocol::Confused;
 
 /// All that the workbench knows.
@@ -18,6 +18,8 @@ pub struct State {
     pub data: data::State,
     /// Training.
     pub run: run::State,
+    /// Experiments.
+    pub experiments: experiments::State,
     /// What was learned.
     pub lexicon: lexicon::State,
 }

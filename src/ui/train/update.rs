@@ -5,12 +5,12 @@ use super::effect::Effect;
 use super::restart::restart;
 use super::run::update::Ground;
 use super::state::State;
-use super::{data, hear, lexicon, run};
+use super::{data, experiments, hear, lexicon, run};
 use crate::ui::page::engines;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
-    let State { desk, shown, tab, data, run, lexicon } = state;
+    let State { desk, shown, tab, data, run, experiments, lexicon } = state;
     match action {
         Action::Data(action) => {
             if data::update::update(data, desk, action) {
@@ -24,6 +24,10 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             run::update::update(run, desk, action, ground);
         }
 
+        Action::Experiments(action) => {
+            let settings = run.settings(data.lexicon());
+            experiments::update::update(experiments, desk, action, settings);
+        }
         Action::Lexicon(action) => lexicon::update::update(lexicon, desk, action),
 
         Action::Turn(to) => {

@@ -11,11 +11,11 @@ use groundling::ui::train::data::mapping::Column;
 use groundling::ui::train::effect::Effect;
 use groundling::ui::train::run::action::{Number, Setting};
 use groundling::ui::train::run::state::{Pace, can_train};
-use groundling::ui::train::{Action, State, data, reduce, run};
+use groundling::ui::train::{Action, State, data, lexicon, reduce, run};
 use groundling::worker::protocol::{
-    self, Checkpoint, Deed, Done, Envelope, Event, Facets, Fault as Flaw, FileReport, Lexicon,
-    Line, Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Status, VERSION,
-    Verdict, View, Window,
+    self, Checkpoint, Deed, Done, EntryWindow, Envelope, Event, Facets, Fault as Flaw, FileReport,
+    Lexicon, Line, Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Status,
+    VERSION, Verdict, View, Window,
 };
 use std::rc::Rc;
 
@@ -454,6 +454,34 @@ fn reading_shows_how_far_it_is_and_can_be_stopped() {
     bench.answer(Event::Cancelled);
     assert_eq!((bench.state.data.reading, &bench.state.data.sheet), (None, &before));
     assert!(bench.notice().is_some_and(|words| words.contains("stopped")));
+}
+
+#[test]
+fn the_lexicon_is_asked_for_when_it_is_seen_and_a_model_without_some_of_it_is_given_to_the_robot() {
+    let mut bench = Bench::with(6);
+    bench.act(Action::Turn(Tab::Lexicon));
+    let asked: Vec<Request> = bench.posted.iter().map(|(_, request)| request.clone()).collect();
+    let [Request::Errors, Request::Entries { view, offset: 0, .. }] = &asked[..] else {
+        panic!("{asked:?}")
+    };
+    let view = view.clone();
+    let window = EntryWindow { total: 70, ..EntryWindow::default() };
+    bench.answer(Event::Entries(Box::new(window.clone())));
+    bench.answer(Event::Refused { message: "no model was asked".to_owned() });
+    assert_eq!(bench.state.lexicon.window.as_deref(), Some(&window));
+    assert_eq!((&bench.state.lexicon.errors, &bench.state.lexicon.notice), (&None, &None));
+
+    bench.act(Action::Lexicon(lexicon::Action::Text("green".to_owned())));
+    // What was asked before has come late: it is not what is looked for.
+    let late = Request::Entries { view, offset: 0, count: 50 };
+    assert_ne!(bench.asked(), &late);
+    bench.settle(6);
+
+    bench.act(Action::Lexicon(lexicon::Action::Pick(12, true)));
+    bench.act(Action::Lexicon(lexicon::Action::Without));
+    assert_eq!(bench.asked(), &Request::Without { places: vec![12] });
+    bench.answer(Event::Trained(model("without it")));
+    assert!(matches!(bench.told()[..], [News::Use { text, .. }] if text == "without it"));
 }
 
 #[test]

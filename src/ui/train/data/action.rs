@@ -77,6 +77,8 @@ pub enum Care {
     Put(Half),
     /// Part the corpus.
     Divide(Split),
+    /// Hold out all of a file.
+    HoldOut(u32),
     /// Take the last change back.
     Undo,
     /// Do what was undone again.

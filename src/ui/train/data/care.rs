@@ -3,7 +3,7 @@
 use super::action::Care;
 use super::sheet::Sheet;
 use crate::ui::train::desk::Desk;
-use crate::worker::protocol::{Request, Rules, Verdict};
+use crate::worker::protocol::{Half, Request, Rules, Verdict, View};
 
 /// Does what a person wants.
 pub fn care(sheet: &mut Sheet, desk: &mut Desk, action: Care) {
@@ -13,6 +13,10 @@ pub fn care(sheet: &mut Sheet, desk: &mut Desk, action: Care) {
         Care::Reopen => decided(sheet, Verdict::Reopen),
         Care::Put(half) => decided(sheet, Verdict::Put(half)),
         Care::Divide(split) => Request::Divide { split },
+        Care::HoldOut(file) => {
+            let view = View { file: Some(file), ..View::default() };
+            Request::DecideAll { view, verdict: Verdict::Put(Half::HeldOut) }
+        }
         Care::Undo => Request::Undo,
         Care::Redo => Request::Redo,
         Care::Mark => Request::Mark { rules: Rules::default() },

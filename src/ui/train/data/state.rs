@@ -53,6 +53,11 @@ impl State {
         self.sheet.as_ref().map_or(0, |sheet| sheet.care.train as usize)
     }
 
+    /// Commands that are held out.
+    pub fn held_out(&self) -> u32 {
+        self.sheet.as_ref().map_or(0, |sheet| sheet.care.held_out)
+    }
+
     /// What is known before it is learned from, unless a person says otherwise: the page's own sentences are there to
     /// show that nouns and verbs are learned.
     pub fn lexicon(&self) -> Lexicon {

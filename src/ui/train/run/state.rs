@@ -147,7 +147,13 @@ impl State {
 /// Whether training on so many commands can begin.
 pub fn can_train(desk: &Desk, commands: usize) -> bool {
     let busy = |request: &Request| {
-        matches!(request, Request::Learn { .. } | Request::OpenSheet { .. } | Request::Audit { .. })
+        matches!(
+            request,
+            Request::Learn { .. }
+                | Request::OpenSheet { .. }
+                | Request::Audit { .. }
+                | Request::RunShard { .. }
+        )
     };
     commands > 0 && desk.is_ready() && !desk.learner.is_at(busy)
 }

@@ -9,7 +9,9 @@ use crate::ui::page::words::Text as Common;
 use crate::ui::train::action::{Action, Tab};
 use crate::ui::train::data;
 use crate::ui::train::data::view::panel as data_panel;
+use crate::ui::train::experiments::view::panel as experiments_panel;
 use crate::ui::train::lexicon::view::panel as lexicon_panel;
+use crate::ui::train::run::state::can_train;
 use crate::ui::train::run::view::panel as run_panel;
 use crate::ui::train::state::State;
 use crate::ui::train::update::reduce;
@@ -80,7 +82,7 @@ impl Component for Workbench {
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let State { desk, shown, tab, data, run, lexicon } = &self.state;
+        let State { desk, shown, tab, data, run, experiments, lexicon } = &self.state;
         if !shown {
             return Html::default();
         }
@@ -111,6 +113,8 @@ impl Component for Workbench {
                         { match tab {
                             Tab::Data => data_panel(data, desk, &act.reform(Action::Data)),
                             Tab::Run => run_panel(run, desk, data.commands(), &act.reform(Action::Run), &offer),
+                            Tab::Experiments => experiments_panel(experiments, desk, data.held_out(),
+                                can_train(desk, data.commands()), &act.reform(Action::Experiments)),
                             Tab::Lexicon => lexicon_panel(lexicon, desk, self.state.confused(), &act.reform(Action::Lexicon)),
                         } }
                     </div>

@@ -9,6 +9,7 @@ pub(super) static ENGLISH: Text = Text {
     tab: |tab| match tab {
         Tab::Data => "Data",
         Tab::Run => "Train",
+        Tab::Experiments => "Experiments",
         Tab::Lexicon => "What it learned",
     },
 };

@@ -9,6 +9,7 @@ pub(super) static GERMAN: Text = Text {
     tab: |tab| match tab {
         Tab::Data => "Daten",
         Tab::Run => "Trainieren",
+        Tab::Experiments => "Versuche",
         Tab::Lexicon => "Gelerntes",
     },
 };

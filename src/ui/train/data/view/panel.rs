@@ -40,6 +40,8 @@ fn rows(
         n => (text.picked)(n),
     };
     let can_audit = desk.in_use.is_some() && !desk.is_learning() && state.auditing.is_none();
+    let names = sheet.report.files.iter().map(|file| file.name.clone());
+    let files: Vec<String> = if sheet.files.len() > 1 { names.collect() } else { Vec::new() };
     let (undo, redo) = (sheet.care.undo.is_some(), sheet.care.redo.is_some());
     html! {
         <div class="bench">
@@ -51,7 +53,7 @@ fn rows(
             <div class="column">
                 { row(sheet, text, theme, act) }
                 { rules(state, sheet, can_audit, text, act) }
-                <Parting words={Words(text)} task={view.task.clone()} worker={view.worker.clone()} act={act.clone()} />
+                <Parting words={Words(text)} task={view.task.clone()} worker={view.worker.clone()} {files} act={act.clone()} />
             </div>
         </div>
     }

@@ -13,13 +13,15 @@ pub(super) struct Props {
     /// The task and the person that are looked at, if one is.
     pub(super) task: Option<String>,
     pub(super) worker: Option<String>,
+    /// The names of the files, where there are several.
+    pub(super) files: Vec<String>,
     pub(super) act: Callback<Action>,
 }
 
 /// How the corpus is parted.
 #[component]
 pub(super) fn Parting(props: &Props) -> Html {
-    let Props { words: Words(text), task, worker, act } = props;
+    let Props { words: Words(text), task, worker, files, act } = props;
     let (percent, by, seed) = (use_state(|| 20.0), use_state(|| 0), use_state(|| 0.0));
     let care = act.reform(|split| Action::Care(Care::Divide(split)));
     let names: Vec<String> = By::ALL.iter().map(|(_, by)| (text.by)(*by).to_owned()).collect();
@@ -49,6 +51,10 @@ pub(super) fn Parting(props: &Props) -> Html {
                 <button type="button" class="quiet" data-testid="split-share" onclick={part}>{ text.split_share }</button>
                 { named(false, task) }
                 { named(true, worker) }
+                { for (0..).zip(files).map(|(at, name)| html! {
+                    <button type="button" class="quiet" data-testid="hold-out-file"
+                        onclick={act.reform(move |_| Action::Care(Care::HoldOut(at)))}>{ (text.split_view)(name) }</button>
+                }) }
                 { link(text.split_none, "split-none", care.reform(|()| Split::None)) }
             </p>
         </section>
