@@ -120,13 +120,15 @@ impl<R: Role + 'static> Agent<R> {
     }
 }
 
-/// Whether an event is one of many that say how far something is.
+/// Whether an event is one of many that say how far something is; that an epoch has ended is told for certain.
 const fn is_progress(event: &Event) -> bool {
+    if let Event::Progress(progress) = event {
+        return progress.example < progress.examples;
+    }
     matches!(
         event,
         Event::Reading { .. }
             | Event::Auditing { .. }
-            | Event::Progress(_)
             | Event::Experimenting(_)
             | Event::Planning(_)
             | Event::RollingOut(_)

@@ -236,8 +236,14 @@ export class Demo {
 
   // Training and files.
 
+  /** Turns to a part of the workbench: `data` or `run`. */
+  async part(name) {
+    if ((await this.by(`tab-${name}`).getAttribute('aria-selected')) !== 'true') await this.press(`tab-${name}`);
+  }
+
   /** Presses Train and waits for the model. */
   async train() {
+    await this.part('run');
     await this.press('train');
     await this.t.until('it has trained', async () =>
       (await this.by('trained').count()) > 0 && /trained here/.test(await this.by('trained').textContent()), 60);
@@ -256,7 +262,8 @@ export class Demo {
   }
 
   /** The text of the model that the workbench saves. */
-  model() {
+  async model() {
+    await this.part('run');
     return this.saved('save-model');
   }
 
@@ -268,6 +275,7 @@ export class Demo {
 
   /** Chooses a corpus file of this text or these bytes. */
   async choose(name, content) {
+    await this.part('data');
     await this.by('corpus-file').setInputFiles({ name, mimeType: 'text/csv', buffer: Buffer.from(content) });
   }
 
@@ -290,6 +298,7 @@ export class Demo {
 
   /** The corpus that is open: its file's name, and how many rows are listed. */
   async corpus() {
+    await this.part('data');
     return { name: await this.by('corpus-name').textContent(), rows: await this.by('row').count() };
   }
 }

@@ -53,6 +53,8 @@ pub struct Engine {
     pub health: Health,
     /// What it is doing.
     pub pending: Option<Pending>,
+    /// What it was asked besides, and has not answered yet.
+    aside: Vec<Pending>,
     waiting: VecDeque<Request>,
     last_id: u32,
     silent: u32,
@@ -66,6 +68,7 @@ impl Engine {
             program,
             health: Health::Asleep,
             pending: None,
+            aside: Vec::new(),
             waiting: VecDeque::new(),
             last_id: 0,
             silent: 0,
@@ -92,6 +95,11 @@ impl Engine {
         at_work.into_iter().chain(&self.waiting).any(such)
     }
 
+    /// Whether it was asked this besides, and has not answered yet.
+    pub fn is_asked(&self, request: &Request) -> bool {
+        self.aside.iter().any(|pending| pending.request == *request)
+    }
+
     /// Sends a request as soon as the engine is free; an `urgent` one goes before all that wait.
     pub fn send<E: From<Errand>>(&mut self, request: Request, urgent: bool, effects: &mut Vec<E>) {
         self.wake(effects);
@@ -101,6 +109,20 @@ impl Engine {
             self.waiting.push_back(request);
         }
         self.pump(effects);
+    }
+
+    /// Asks what is answered at once, whatever the engine is doing; if it is not up yet, as soon as it is.
+    pub fn ask<E: From<Errand>>(&mut self, request: Request, effects: &mut Vec<E>) {
+        if self.health != Health::Ready {
+            return self.send(request, false, effects);
+        }
+        let is_watched = self.pending.is_some() || !self.aside.is_empty();
+        let id = self.next_id();
+        effects.push(self.post(id, request.clone()));
+        self.aside.push(Pending { id, request });
+        if !is_watched {
+            self.watch_anew(effects);
+        }
     }
 
     /// Forgets requests that wait and that `keep` does not hold.
@@ -123,6 +145,9 @@ impl Engine {
 
     /// The request at work has been answered: gives it back, and sends the next one.
     pub fn finish<E: From<Errand>>(&mut self, id: u32, effects: &mut Vec<E>) -> Option<Request> {
+        if let Some(at) = self.aside.iter().position(|p| p.id == id) {
+            return Some(self.aside.remove(at).request);
+        }
         let done = self.pending.take_if(|p| p.id == id)?;
         self.pump(effects);
         Some(done.request)
@@ -139,13 +164,14 @@ impl Engine {
             self.health = Health::Stopped(why);
         }
         self.waiting.clear();
+        self.aside.clear();
         self.watch = self.watch.wrapping_add(1);
         self.pending.take().map(|p| p.request)
     }
 
     /// A look at a busy engine; whether it must be given up.
     pub fn look<E: From<Errand>>(&mut self, watch: u32, effects: &mut Vec<E>) -> bool {
-        if watch != self.watch || self.pending.is_none() {
+        if watch != self.watch || self.pending.is_none() && self.aside.is_empty() {
             return false;
         }
         self.silent += 1;
@@ -162,13 +188,21 @@ impl Engine {
             return;
         }
         let Some(request) = self.waiting.pop_front() else { return };
+        let id = self.next_id();
+        effects.push(self.post(id, request.clone()));
+        self.pending = Some(Pending { id, request });
+        self.watch_anew(effects);
+    }
+
+    fn next_id(&mut self) -> u32 {
         self.last_id = self.last_id.wrapping_add(1).max(1);
-        let id = self.last_id;
+        self.last_id
+    }
+
+    fn watch_anew<E: From<Errand>>(&mut self, effects: &mut Vec<E>) {
         self.silent = 0;
         self.watch = self.watch.wrapping_add(1);
-        effects.push(self.post(id, request.clone()));
         effects.push(Errand::Watch(self.program, self.watch, WATCH_MS).into());
-        self.pending = Some(Pending { id, request });
     }
 
     fn post<E: From<Errand>>(&self, id: u32, body: Request) -> E {

@@ -52,6 +52,9 @@ pub fn heard(owner: &mut impl Owner, program: Program, envelope: Envelope<Event>
         Event::Pong => None,
         Event::Crashed { message } => Some(stopped(owner, program, message)),
         progress @ (Event::Reading { .. }
+        | Event::Auditing { .. }
+        | Event::HeldOut { .. }
+        | Event::Paused
         | Event::Progress(_)
         | Event::Planning(_)
         | Event::RollingOut(_)

@@ -1,11 +1,40 @@
 //! What can happen to the workbench: a person did it in one of its parts, the page told it, an engine said it, or a
 //! timer ran out.
 
-use super::{data, run};
+use super::{data, experiments, lexicon, run};
 use crate::ui::page::document::Model;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Preferences;
 use crate::worker::protocol::{Envelope, Event, Program};
+
+/// The parts that can be seen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// The corpus.
+    #[default]
+    Data,
+    /// Training.
+    Run,
+    /// Several runs beside one another.
+    Experiments,
+    /// What was learned.
+    Lexicon,
+}
+
+impl Tab {
+    /// All of them, in order.
+    pub const ALL: [Tab; 4] = [Tab::Data, Tab::Run, Tab::Experiments, Tab::Lexicon];
+
+    /// What it is called in the page's code.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Tab::Data => "data",
+            Tab::Run => "run",
+            Tab::Experiments => "experiments",
+            Tab::Lexicon => "lexicon",
+        }
+    }
+}
 
 /// Something that happened.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,7 +43,13 @@ pub enum Action {
     Data(data::Action),
     /// Something was done about training.
     Run(run::Action),
+    /// Something was done about experiments.
+    Experiments(experiments::Action),
+    /// Something was done with what was learned.
+    Lexicon(lexicon::Action),
 
+    /// Another part was chosen.
+    Turn(Tab),
     /// It is to be seen, or no more.
     Shown(bool),
     /// The page is in another language.

@@ -17,6 +17,8 @@ pub struct Desk {
     pub learner: Engine,
     /// The language of the page.
     pub language: Language,
+    /// The time of the action at work, in milliseconds.
+    pub clock: f64,
     /// What the person prefers.
     pub preferences: Preferences,
     /// The model that the robot uses.
@@ -47,6 +49,23 @@ impl Desk {
         self.learner.send(request, urgent, &mut self.wanted);
     }
 
+    /// Asks the engine what it answers at once.
+    pub fn ask(&mut self, request: Request) {
+        self.learner.ask(request, &mut self.wanted);
+    }
+
+    /// Whether the engine was asked this and has not answered yet.
+    pub fn is_asking(&self, request: &Request) -> bool {
+        self.learner.is_asked(request)
+    }
+
+    /// Whether it is learning, or will be as soon as it can.
+    pub fn is_learning(&self) -> bool {
+        let learns =
+            |request: &Request| matches!(request, Request::Learn { .. } | Request::RunShard { .. });
+        self.learner.is_at(learns)
+    }
+
     /// Asks the engine to stop what it is doing.
     pub fn cancel(&mut self) {
         self.learner.cancel(&mut self.wanted);
@@ -63,6 +82,7 @@ impl Default for Desk {
         Desk {
             learner: Engine::new(Program::Learner),
             language: Language::default(),
+            clock: 0.0,
             preferences: Preferences::default(),
             in_use: None,
             model_notice: None,

@@ -13,6 +13,10 @@ pub enum Effect {
     Post(Program, Envelope<Request>),
     /// Look after so many milliseconds whether an engine still answers.
     Watch(Program, u32, u32),
+    /// Ring after so many milliseconds; the number tells a stale timer from the one that counts.
+    Ring(u32, u32),
+    /// Bring an element into view.
+    Reveal(&'static str),
     /// Tell the page something.
     Tell(News),
     /// Offer a text to the person as a file.

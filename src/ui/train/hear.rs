@@ -1,22 +1,46 @@
 //! What the engine says to the workbench: each message goes to the part that asked.
 
+use super::restart::restart;
 use super::state::State;
-use super::{data, run};
+use super::{data, experiments, lexicon, run};
 use crate::ui::page::engines::News;
-use crate::worker::protocol::{Event, Request};
+use crate::worker::protocol::{Event, Program, Request};
 
 /// There is news of an engine, or none.
 pub(super) fn told(state: &mut State, news: Option<News>) {
-    let State { desk, data, run, .. } = state;
+    let State { desk, data, run, experiments, lexicon, .. } = state;
     match news {
-        Some(News::Progress(Event::Progress(progress))) => run.progress = Some(progress),
-        Some(News::Progress(Event::Reading { done, of })) => data.reading = Some((done, of)),
-        Some(News::Answer(Request::Train { .. }, event)) => {
-            let corpus = data.corpus.as_ref().map_or("", |corpus| &corpus.report.name);
-            run::hear::ended(run, desk, event, corpus);
+        Some(News::Progress(
+            event @ (Event::Progress(_) | Event::HeldOut { .. } | Event::Paused),
+        )) => run::hear::progressed(run, desk, event),
+        Some(News::Progress(Event::Experimenting(progress))) => {
+            experiments.progress = Some(progress);
         }
+        Some(News::Progress(event)) => data::hear::progressed(data, &event),
+        Some(News::Answer(Request::Learn { .. }, event)) => run::hear::ended(run, desk, event),
+        Some(News::Answer(Request::Look | Request::Checkpoint | Request::ModelSoFar, event)) => {
+            run::hear::answered(run, desk, event)
+        }
+        Some(News::Answer(
+            request @ (Request::PlanRuns { .. }
+            | Request::RunShard { .. }
+            | Request::JoinRuns { .. }),
+            event,
+        )) => experiments::hear::answered(experiments, desk, request, event),
+        Some(News::Answer(
+            request @ (Request::Entries { .. }
+            | Request::Errors
+            | Request::Without { .. }
+            | Request::Compare { .. }),
+            event,
+        )) => lexicon::hear::answered(lexicon, desk, &request, event),
         Some(News::Answer(request, event)) => data::hear::answered(data, desk, request, event),
-        Some(News::Stopped) => (run.progress, data.reading) = (None, None),
-        Some(News::Progress(_)) | None => {}
+        Some(News::Stopped) => {
+            (data.reading, data.auditing, experiments.progress) = (None, None, None);
+            if run::update::retry(run) {
+                restart(state, Program::Learner);
+            }
+        }
+        None => {}
     }
 }

@@ -7,8 +7,11 @@ pub mod effect;
 pub mod desk;
 pub mod data;
 pub mod run;
+pub mod experiments;
+pub mod lexicon;
 pub mod action;
 pub mod state;
+pub mod restart;
 pub mod hear;
 pub mod update;
 #[cfg(target_arch = "wasm32")]

@@ -1,7 +1,9 @@
 //! The state of the workbench: what its parts share, and each part's own.
 
+use super::action::Tab;
 use super::desk::Desk;
-use super::{data, run};
+use super::{data, experiments, lexicon, run};
+use crate::worker::protocol::Confused;
 
 /// All that the workbench knows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -10,8 +12,23 @@ pub struct State {
     pub desk: Desk,
     /// Whether it is to be seen.
     pub shown: bool,
+    /// The part that is seen.
+    pub tab: Tab,
     /// The corpus.
     pub data: data::State,
     /// Training.
     pub run: run::State,
+    /// Experiments.
+    pub experiments: experiments::State,
+    /// What was learned.
+    pub lexicon: lexicon::State,
+}
+
+impl State {
+    /// What wrong answers to what is held out did instead, of the last model that was judged on it.
+    pub fn confused(&self) -> &[Confused] {
+        let points = self.run.run.as_ref().map(|run| &run.points[..]).unwrap_or_default();
+        let last = points.iter().rev().find_map(|point| point.judgement.as_ref());
+        last.map(|judgement| &judgement.confusion[..]).unwrap_or_default()
+    }
 }

@@ -1,20 +1,41 @@
 //! The workbench's reducer: an action changes the state, and what is to be done comes back. Pure, as the page's.
 
-use super::action::Action;
+use super::action::{Action, Tab};
 use super::effect::Effect;
+use super::restart::restart;
+use super::run::update::Ground;
 use super::state::State;
-use super::{data, hear, run};
+use super::{data, experiments, hear, lexicon, run};
 use crate::ui::page::engines;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
-    let State { desk, data, run, shown } = state;
+    let State { desk, shown, tab, data, run, experiments, lexicon } = state;
     match action {
-        Action::Data(action) => data::update::update(data, desk, action),
+        Action::Data(action) => {
+            if data::update::update(data, desk, action) {
+                *tab = Tab::Data;
+            }
+        }
         Action::Run(action) => {
-            run::update::update(run, desk, action, data.commands(), data.lexicon());
+            let name = data.sheet.as_ref().map_or(String::new(), |sheet| sheet.name.clone());
+            let seen = *shown && *tab == Tab::Run;
+            let ground = Ground { name, commands: data.commands(), lexicon: data.lexicon(), seen };
+            run::update::update(run, desk, action, ground);
         }
 
+        Action::Experiments(action) => {
+            let settings = run.settings(data.lexicon());
+            experiments::update::update(experiments, desk, action, settings);
+        }
+        Action::Lexicon(action) => lexicon::update::update(lexicon, desk, action),
+
+        Action::Turn(to) => {
+            *tab = to;
+            if to == Tab::Lexicon {
+                lexicon::update::update(lexicon, desk, lexicon::Action::Shown);
+            }
+        }
         Action::Shown(now) => {
             *shown = now;
             if now {
@@ -34,10 +55,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             let news = engines::stopped(desk, program, why);
             hear::told(state, Some(news));
         }
-        Action::RestartEngine(program) => {
-            engines::restart(desk, program);
-            data::update::restore(data, desk);
-        }
+        Action::RestartEngine(program) => restart(state, program),
         Action::Look(program, watch) => {
             let news = engines::look(desk, program, watch);
             hear::told(state, news);

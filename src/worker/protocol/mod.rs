@@ -34,15 +34,17 @@ pub use wire::{Reader, WireError, decode, encode};
 
 // What comes from further down and crosses as it is.
 pub use crate::ccg::closed::Kind as Closed;
-pub use crate::ccg::{EntryText, Explanation, Part};
-pub use crate::corpus::{Decision, Mapping, Preview};
+pub use crate::ccg::{EntryText, Explanation, Kind as FeatureKind, Part};
+pub use crate::corpus::{Decision, Mapping, Preview, States};
 pub use crate::ground::{Article, Claim, Description, Noun, Shade};
 pub use crate::learn::audit::{Errors, Rows};
+pub use crate::learn::experiment::By;
 pub use crate::learn::inspect::{Difference, EntryLine, EntrySort, EntryView, EntryWindow};
 pub use crate::learn::look::Look;
 pub use crate::learn::runs::Matrix;
 pub use crate::learn::settings::{Lexicon, SeedLexicon, Settings};
 pub use crate::learn::sheet::{
-    Care, Facets, Half, Line, Outcome, Rule, Rules, Status, Verdict, View, Window,
+    Care, Deed, Done, Facet, Facets, Half, Line, Outcome, Rule, Rules, Sort, Status, Verdict, View,
+    Window,
 };
 pub use crate::plan::Why;

@@ -17,6 +17,7 @@ for (const name of CORPORA) {
     await t.until('the file is open', async () =>
       (await demo.by('corpus-name').textContent()) === name, 120);
     const start = Date.now();
+    await demo.part('run');
     await demo.press('train');
     await t.until('it has trained', async () =>
       /trained here/.test(await demo.by('trained').textContent().catch(() => '')), 600);

@@ -49,6 +49,7 @@ flow('a model that was saved is opened again', async (t) => {
   const model = await demo.model();
   await demo.page.reload();
   await demo.by('row').first().waitFor();
+  await demo.part('run');
   await demo.by('model-file').setInputFiles({ name: 'a.model', mimeType: 'text/plain', buffer: Buffer.from(model) });
   await t.until('the model is open', async () => /from a file/.test(await demo.by('trained').textContent()));
   await t.check(async () => (await demo.model()) === model, 'the model is saved as it was opened');

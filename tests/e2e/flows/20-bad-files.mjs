@@ -83,6 +83,7 @@ flow('a bad model file is refused beside the training', async (t) => {
   const model = await demo.model();
   const file = (text) => ({ name: 'bad.model', mimeType: 'text/plain', buffer: Buffer.from(text) });
   for (const text of ['', 'groundling model 99\n', model.slice(0, model.length / 2), 'hello\n']) {
+    await demo.part('run');
     await demo.by('model-file').setInputFiles(file(text));
     await t.until('a message', async () =>
       (await demo.by('model-notice').count()) + (await demo.by('file-notice').count()) > 0);

@@ -61,11 +61,15 @@ flow('two files dropped at once are one corpus, and rejected rows are used when 
   await t.equal(() => demo.corpus(), { name: 'a.csv, b.csv', rows: 3 }, 'what is open');
   await demo.train();
   await demo.choose('rejected.csv', REJECTED);
-  await t.check(async () => /all its 3 rows are rejected/.test(await demo.by('file-notice').textContent()), 'why none is used');
-  await t.accessible('a file of rejected rows');
-  await t.equal(() => demo.corpus(), { name: 'a.csv, b.csv', rows: 3 }, 'what stays open');
-  await demo.press('use-rejected');
   await t.equal(() => demo.corpus(), { name: 'rejected.csv', rows: 3 }, 'what is open then');
+  await t.check(async () => /3 rejected/.test(await demo.by('corpus-count').textContent()), 'its rows are rejected');
+  await t.accessible('a file of rejected rows');
+  await demo.part('run');
+  await t.check(() => demo.by('train').isDisabled(), 'there is nothing to learn from');
+  await demo.part('data');
+  await demo.press('use-rejected');
+  await demo.part('run');
+  await t.check(() => demo.by('train').isEnabled(), 'they are used when asked for');
 });
 
 flow('a line that does not end is refused in a second, and reading can be stopped', async (t) => {
@@ -75,6 +79,7 @@ flow('a line that does not end is refused in a second, and reading can be stoppe
   await demo.by('file-notice').waitFor();
   t.note(`80,000 columns are refused after ${Date.now() - start} ms`);
   await t.check(async () => /more than 16384 cells/.test(await demo.by('file-notice').textContent()), 'in words');
+  await demo.part('run');
   await t.check(() => demo.by('train').isEnabled(), 'what is open can be trained on');
   // Pressed as soon as it is there: a quick machine reads the file before the driver has aimed.
   const pressed = demo.page.evaluate(() => new Promise((done) => {

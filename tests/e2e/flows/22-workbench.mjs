@@ -21,6 +21,7 @@ flow('the workbench is loaded when it is wanted, and stays', async (t) => {
   await t.accessible('the workbench');
   await demo.choose('long.csv', LONG);
   await t.until('the file is open', async () => (await demo.corpus()).name === 'long.csv');
+  await demo.part('run');
   await demo.press('train');
   await demo.by('progress').waitFor();
   const before = await demo.by('progress').textContent();
@@ -32,7 +33,7 @@ flow('the workbench is loaded when it is wanted, and stays', async (t) => {
   const now = () => demo.page.getByTestId('progress').or(demo.by('trained').filter({ hasText: 'long.csv' })).first().textContent();
   await t.check(async () => (await now()) !== before, 'training has gone on, to its end perhaps');
   await demo.by('language').selectOption('de');
-  await t.check(async () => /Woraus er lernt/.test(await demo.page.locator('main').textContent()), 'it speaks the page\'s language');
+  await t.check(async () => /Einstellungen/.test(await demo.page.locator('main').textContent()), 'it speaks the page\'s language');
 });
 
 flow('a workbench that does not come says so, and comes when asked again', async (t) => {
@@ -57,6 +58,7 @@ flow('files that are dropped while one talks go where they belong', async (t) =>
   await demo.talk();
   await demo.dropAll([['a.model', model], ['three.csv', csv(...rows.slice(1, 4))]]);
   await t.equal(() => demo.corpus(), { name: 'three.csv', rows: 3 }, 'the corpus is open');
+  await demo.part('run');
   await t.check(async () => /from a file/.test(await demo.by('trained').textContent()), 'the robot has the model');
   await demo.talk();
   await demo.drop('b.model', 'groundling model 99\n');
@@ -64,6 +66,7 @@ flow('files that are dropped while one talks go where they belong', async (t) =>
   await t.check(() => demo.by('command').isVisible(), 'one goes on talking');
   await demo.drop('none.csv', '');
   await t.check(async () => /none\.csv is empty/.test(await demo.by('file-notice').textContent()), 'what is wrong is said there');
+  await demo.part('run');
   await demo.drop('six.csv', six);
   await t.equal(() => demo.corpus(), { name: 'six.csv', rows: 6 }, 'dropped on the workbench itself');
 });

@@ -14,11 +14,12 @@ flow('training is cancelled, and answers at once', async (t) => {
   const model = await demo.model();
   await demo.choose('long.csv', LONG);
   await t.until('the file is open', async () => (await demo.corpus()).name === 'long.csv');
+  await demo.part('run');
   await demo.press('train');
   await demo.by('progress').waitFor();
   const first = await demo.by('progress').textContent();
   await t.until('progress goes on', async () => (await demo.by('progress').textContent()) !== first);
-  await demo.press('cancel');
+  await demo.press('stop');
   await demo.by('model-notice').waitFor();
   await t.check(async () => /stopped/.test(await demo.by('model-notice').textContent()), 'it says so');
   await t.check(async () => (await demo.model()) === model, 'the model of before is kept');

@@ -38,6 +38,7 @@ flow('times', async (t) => {
   const [answered, drawn] = await taken(demo.page, 'ask', 'plan');
   t.note(`a command parsed, grounded and planned: ${answered} ms; on the screen: ${drawn} ms`);
   await demo.workbench();
+  await demo.part('run');
   const [trained] = await taken(demo.page, 'train', 'trained', 'trained here');
   t.note(`six sentences, 15 epochs: ${trained} ms`);
 });

@@ -4,13 +4,18 @@ use super::{model, pair};
 use groundling::ui::page::document::{Model, Origin};
 use groundling::ui::page::files::{self, Fault, Given, Kind, Offered};
 use groundling::ui::page::news::News;
-use groundling::ui::train::data::corpus::{DEMO, PAGE};
+use groundling::ui::train::action::Tab;
+use groundling::ui::train::data::action::{Care, Look, Map};
+use groundling::ui::train::data::demo;
+use groundling::ui::train::data::mapping::Column;
 use groundling::ui::train::effect::Effect;
-use groundling::ui::train::run::state::{SETTINGS, can_train};
-use groundling::ui::train::{Action, State, data, reduce, run};
+use groundling::ui::train::run::action::{Number, Setting};
+use groundling::ui::train::run::state::{Pace, can_train};
+use groundling::ui::train::{Action, State, data, lexicon, reduce, run};
 use groundling::worker::protocol::{
-    CorpusReport, Envelope, Event, Problem, Program, Progress, Request, RowSummary, SeedLexicon,
-    VERSION,
+    self, Checkpoint, Deed, Done, EntryWindow, Envelope, Event, Facets, Fault as Flaw, FileReport,
+    Lexicon, Line, Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Status,
+    VERSION, Verdict, View, Window,
 };
 use std::rc::Rc;
 
@@ -23,16 +28,30 @@ struct Bench {
 
 impl Bench {
     /// A workbench that is to be seen, with a corpus of `rows` commands, and nothing at work.
-    fn with(rows: usize) -> Bench {
+    fn with(rows: u32) -> Bench {
         let mut bench = Bench::new();
         bench.hear(0, Event::Ready);
-        bench.answer(Event::Corpus(report("six.csv", rows)));
-        while let Some((_, Request::ShowRow { row })) = bench.posted.last() {
-            let row = *row;
-            bench.answer(Event::Row { row, pairs: vec![pair()] });
-        }
+        bench.answer(Event::Sheet(Box::new(report("six.csv", rows))));
+        bench.settle(rows);
         bench.others.clear();
         bench
+    }
+
+    /// Answers what is asked besides, for a sheet of so many rows.
+    fn settle(&mut self, rows: u32) {
+        while let Some(at) = self.posted.iter().position(|(_, request)| request.is_aside()) {
+            let (id, request) = self.posted.remove(at);
+            let event = match request {
+                Request::Window { offset, count, .. } => {
+                    let lines = (offset..rows.min(offset + count)).map(line).collect();
+                    Event::Window(Box::new(Window { total: rows, offset, lines }))
+                }
+                Request::Facets => Event::Facets(Box::new(Facets::default())),
+                Request::ShowRow { row } => Event::Row { row, pairs: vec![pair()] },
+                _ => Event::Heard,
+            };
+            self.hear(id, event);
+        }
     }
 
     /// A workbench that has just come; its engine is not up yet.
@@ -46,7 +65,7 @@ impl Bench {
         for effect in reduce(&mut self.state, action) {
             match effect {
                 Effect::Post(_, envelope) => self.posted.push((envelope.id, envelope.body)),
-                Effect::Watch(..) => {}
+                Effect::Watch(..) | Effect::Ring(..) => {}
                 other => self.others.push(other),
             }
         }
@@ -82,7 +101,13 @@ impl Bench {
     }
 
     fn notice(&self) -> Option<&str> {
-        self.state.data.file_notice.as_ref().map(|notice| notice.message.as_str())
+        self.state.data.refused.as_ref().map(|notice| notice.message.as_str())
+    }
+
+    /// The run at work.
+    #[track_caller]
+    fn live(&self) -> &run::state::Run {
+        self.state.run.live().expect("a run is at work")
     }
 
     /// What the page was told, but for what is only said.
@@ -96,15 +121,42 @@ impl Bench {
     }
 }
 
-fn report(name: &str, rows: usize) -> CorpusReport {
-    let row = RowSummary { command: "go".to_owned(), task: None, pairs: 1 };
-    CorpusReport {
-        name: name.to_owned(),
-        rows: vec![row; rows],
-        rejected: 0,
-        left_out: 0,
-        problems: Vec::new(),
+fn care(rows: u32) -> protocol::Care {
+    protocol::Care { rows, train: rows, ..protocol::Care::default() }
+}
+
+fn report(name: &str, rows: u32) -> SheetReport {
+    let file = FileReport { name: name.to_owned(), rows, ..FileReport::default() };
+    SheetReport { files: vec![file], care: care(rows), ..SheetReport::default() }
+}
+
+/// A report of a file that is of no use.
+fn useless(name: &str, faults: Vec<Flaw>) -> SheetReport {
+    let mut report = SheetReport { faults, ..report(name, 0) };
+    report.files[0].useless = Some("it has no command".to_owned());
+    report
+}
+
+fn line(row: u32) -> Line {
+    Line {
+        row,
+        file: 0,
+        line: u64::from(row) + 2,
+        id: format!("line {}", row + 2),
+        command: "go".to_owned(),
+        task: None,
+        worker: None,
+        pairs: 1,
+        decision: protocol::Decision::Open,
+        half: protocol::Half::Train,
+        outcome: None,
+        form: None,
+        marks: Vec::new(),
     }
+}
+
+fn progress(epoch: u32, example: usize) -> Progress {
+    Progress { epoch, epochs: 15, example, examples: 6, valid: 1, updates: 1, entries: 9 }
 }
 
 fn file(name: &str, text: &str) -> Offered {
@@ -122,15 +174,11 @@ fn it_opens_with_the_six_sentences_and_their_pictures() {
     assert!(bench.posted.is_empty(), "the engine that learns is only now loaded");
     assert_eq!(bench.others, [Effect::SpawnEngine(Program::Learner)]);
     bench.hear(0, Event::Ready);
-    assert!(
-        matches!(bench.asked(), Request::ReadCorpus { files, .. } if files[0].bytes == DEMO.as_bytes())
-    );
-    bench.answer(Event::Corpus(report("six.csv", 6)));
-    for row in 0..6 {
-        assert_eq!(bench.asked(), &Request::ShowRow { row });
-        bench.answer(Event::Row { row, pairs: vec![pair()] });
-    }
-    assert_eq!(bench.state.data.corpus.as_ref().map(|c| c.pairs.len()), Some(6));
+    assert!(matches!(bench.asked(), Request::OpenSheet { files, .. } if files[0] == demo::file()));
+    bench.answer(Event::Sheet(Box::new(report("six.csv", 6))));
+    bench.settle(6);
+    let sheet = bench.state.data.sheet.as_ref().expect("it is open");
+    assert_eq!((sheet.pairs.len(), sheet.table.window.lines.len()), (6, 6));
     assert!(bench.can_train());
     bench.act(Action::Shown(false));
     bench.act(Action::Shown(true));
@@ -138,37 +186,175 @@ fn it_opens_with_the_six_sentences_and_their_pictures() {
 }
 
 #[test]
-fn training_shows_its_progress_and_can_be_cancelled() {
-    let mut bench = Bench::with(6);
-    bench.run(run::Action::Train);
-    let (id, request) = bench.posted.last().cloned().expect("training was sent");
-    assert_eq!(request, Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS });
-    let progress = Progress {
-        epoch: 2,
-        epochs: 15,
-        example: 3,
-        examples: 6,
-        valid: 1,
-        updates: 1,
-        entries: 9,
+fn only_the_rows_in_sight_are_asked_for_and_those_around_them() {
+    let mut bench = Bench::with(100_000);
+    let window = |bench: &Bench| {
+        let table = &bench.state.data.sheet.as_ref().expect("it is open").table;
+        (table.window.offset, table.window.lines.len(), table.drawn())
     };
+    let (offset, count, drawn) = window(&bench);
+    assert_eq!((offset, drawn.start), (0, 0));
+    assert!(count < 300 && drawn.len() < 60, "{count} {drawn:?}");
+
+    bench.data(data::Action::Look(Look::Scrolled(50_000, 20)));
+    let Request::Window { offset, .. } = bench.asked() else { panic!() };
+    assert!((49_900..50_000).contains(offset));
+    // Scrolled further before the answer has come: that one is no longer wanted.
+    bench.data(data::Action::Look(Look::Scrolled(90_000, 20)));
+    bench.settle(100_000);
+    let (offset, _, drawn) = window(&bench);
+    assert!((89_900..90_000).contains(&offset), "{offset}");
+    assert!(drawn.contains(&90_000) && drawn.len() < 60);
+    bench.data(data::Action::Look(Look::Move(5)));
+    bench.data(data::Action::Look(Look::End(true)));
+    bench.settle(100_000);
+    let table = &bench.state.data.sheet.as_ref().expect("it is open").table;
+    assert_eq!(table.line(table.current).map(|line| line.row), Some(99_999));
+}
+
+#[test]
+fn a_view_is_asked_for_anew_and_what_is_decided_touches_what_is_picked_or_in_view() {
+    let mut bench = Bench::with(6);
+    bench.data(data::Action::Look(Look::Status(Some(Status::Open))));
+    let view = View { status: Some(Status::Open), ..View::default() };
+    assert!(matches!(bench.asked(), Request::Window { view: asked, .. } if *asked == view));
+    bench.settle(6);
+    bench.data(data::Action::Care(Care::Reject("vague".to_owned())));
+    let verdict = Verdict::Reject("vague".to_owned());
+    assert_eq!(bench.asked(), &Request::DecideAll { view, verdict: verdict.clone() });
+    let done = Some(Done { deed: Deed::Reject, rows: 6 });
+    bench.answer(Event::Care(protocol::Care {
+        revision: 1,
+        rejected: 6,
+        done,
+        undo: done,
+        ..care(6)
+    }));
+    let posted: Vec<&Request> = bench.posted.iter().map(|(_, request)| request).collect();
+    assert!(posted.contains(&&Request::Facets), "{posted:?}");
+    assert!(posted.iter().any(|request| matches!(request, Request::Window { .. })), "{posted:?}");
+    bench.settle(6);
+
+    bench.data(data::Action::Look(Look::Pick(2, true)));
+    bench.data(data::Action::Look(Look::Pick(4, true)));
+    bench.data(data::Action::Care(Care::Approve));
+    assert_eq!(bench.asked(), &Request::Decide { rows: vec![2, 4], verdict: Verdict::Approve });
+    bench.answer(Event::Care(care(6)));
+    bench.settle(6);
+
+    // An engine that begins anew is asked all of it again.
+    bench.hear(0, Event::Crashed { message: "gone".to_owned() });
+    bench.act(Action::RestartEngine(Program::Learner));
+    bench.hear(0, Event::Ready);
+    let Request::OpenSheet { .. } = bench.asked() else { panic!() };
+    bench.answer(Event::Sheet(Box::new(report("six.csv", 6))));
+    let again = |bench: &Bench| {
+        bench.posted.iter().any(|(_, request)| matches!(request, Request::DecideAll { verdict: v, .. } if *v == verdict))
+    };
+    assert!(again(&bench), "{:?}", bench.posted);
+}
+
+#[test]
+fn columns_are_mapped_by_hand_where_their_names_do_not_tell() {
+    let mut bench = Bench::with(6);
+    bench.data(offered("odd.csv", Ok("a,b,c")));
+    bench.answer(Event::Sheet(Box::new(useless("odd.csv", Vec::new()))));
+    assert!(bench.state.data.refused.as_ref().is_some_and(data::state::Refused::can_be_mapped));
+    bench.data(data::Action::Map(Map::Begin));
+    assert!(matches!(bench.asked(), Request::Preview { file } if file.name == "odd.csv"));
+    let columns: Vec<String> = ["a", "b", "c"].map(str::to_owned).into();
+    bench.answer(Event::Previewed(Box::new(Preview { columns, ..Preview::default() })));
+    for (at, column) in [(0, Column::Command), (1, Column::Before(1)), (2, Column::After(1))] {
+        let mapping = bench.state.data.columns.as_ref().expect("a mapping").mapping();
+        assert!(!mapping.is_complete());
+        bench.data(data::Action::Map(Map::Choose(at, column)));
+    }
+    bench.data(data::Action::Map(Map::Save));
+    let Some(Effect::Save { text, .. }) = bench.others.last() else { panic!() };
+    let saved = text.clone();
+    bench.data(data::Action::Map(Map::Use));
+    let Request::OpenSheet { files, .. } = bench.asked() else { panic!() };
+    let mapping = files[0].mapping.clone();
+    assert!(mapping.is_complete() && mapping.command.as_deref() == Some("a"));
+    bench.answer(Event::Sheet(Box::new(report("odd.csv", 3))));
+    bench.settle(3);
+    assert_eq!(bench.state.data.columns, None);
+
+    // A mapping that was saved holds for the files that are dropped with it.
+    let all = vec![file("mapping.json", &saved), file("more.csv", "a,b,c")];
+    bench.data(data::Action::Offered(all));
+    let Request::OpenSheet { files, .. } = bench.asked() else { panic!() };
+    assert_eq!((files.len(), &files[0].mapping), (1, &mapping));
+}
+
+#[test]
+fn training_shows_its_progress_rests_and_can_be_stopped_and_gone_on_with() {
+    let mut bench = Bench::with(6);
+    bench.run(run::Action::Set(Setting::Number(Number::Epochs, 4.0)));
+    bench.run(run::Action::Go);
+    let (id, request) = bench.posted.last().cloned().expect("training was sent");
+    let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
+    let settings = Box::new(Settings { epochs: 4, lexicon, ..Settings::default() });
+    assert_eq!(request, Request::Learn { settings: settings.clone(), resume: None });
     bench.act(Action::Shown(false));
-    bench.hear(id, Event::Progress(progress.clone()));
-    assert_eq!(bench.state.run.progress, Some(progress.clone()), "it goes on unseen");
+    bench.state.desk.clock = 5_000.0;
+    bench.hear(id, Event::Progress(progress(1, 3)));
+    assert_eq!(bench.live().progress, Some(progress(1, 3)), "it goes on unseen");
     assert!(!bench.can_train());
-    bench.run(run::Action::Cancel);
+    assert_eq!(bench.asked(), &Request::Checkpoint, "what it may lose is some seconds");
+    let text = "so far".to_owned();
+    bench.answer(Event::Checkpoint(Checkpoint { text: text.clone(), epoch: 1, example: 3 }));
+
+    bench.run(run::Action::Pause);
+    assert_eq!(bench.asked(), &Request::Pause);
+    bench.answer(Event::Heard);
+    bench.hear(id, Event::Paused);
+    assert_eq!(bench.live().pace, Pace::Rests);
+    bench.settle(6);
+    bench.run(run::Action::StepExample);
+    assert_eq!(bench.posted.pop().map(|(_, request)| request), Some(Request::StepExample));
+    bench.hear(id, Event::Progress(progress(1, 4)));
+    bench.hear(id, Event::Paused);
+    bench.settle(6);
+    bench.run(run::Action::Go);
+    assert_eq!(bench.posted.pop().map(|(_, request)| request), Some(Request::Resume));
+
+    bench.run(run::Action::Stop);
     assert_eq!(bench.posted.pop(), Some((id, Request::Cancel)));
     bench.answer(Event::Cancelled);
-    assert!(bench.state.run.progress.is_none() && bench.state.run.notice.is_some());
-    assert!(bench.can_train());
-    bench.hear(id, Event::Progress(progress));
-    assert_eq!(bench.state.run.progress, None, "what comes late changes nothing");
+    assert!(bench.state.run.notice.is_some() && bench.state.run.live().is_none());
+    bench.settle(6);
+    bench.run(run::Action::GoOn);
+    assert_eq!(bench.asked(), &Request::Learn { settings, resume: Some(text) });
+}
+
+#[test]
+fn a_run_goes_on_in_a_new_engine_when_its_own_dies_but_not_for_ever() {
+    let mut bench = Bench::with(6);
+    bench.run(run::Action::Go);
+    let (id, _) = bench.posted.last().cloned().expect("training was sent");
+    bench.state.desk.clock = 9_000.0;
+    bench.hear(id, Event::Progress(progress(2, 1)));
+    bench.answer(Event::Checkpoint(Checkpoint { text: "so far".to_owned(), epoch: 2, example: 1 }));
+    bench.posted.clear();
+    bench.others.clear();
+    bench.act(Action::EngineBroke(Program::Learner, "it was killed".to_owned()));
+    assert!(bench.others.contains(&Effect::SpawnEngine(Program::Learner)), "a new one at once");
+    bench.hear(0, Event::Ready);
+    bench.answer(Event::Sheet(Box::new(report("six.csv", 6))));
+    bench.settle(6);
+    let Request::Learn { resume, .. } = bench.asked() else { panic!("{:?}", bench.posted) };
+    assert_eq!(resume.as_deref(), Some("so far"));
+    bench.others.clear();
+    bench.act(Action::EngineBroke(Program::Learner, "it was killed again".to_owned()));
+    assert!(!bench.others.contains(&Effect::SpawnEngine(Program::Learner)), "it did not get on");
+    assert!(bench.state.run.live().is_none());
 }
 
 #[test]
 fn a_trained_model_is_given_to_the_page() {
     let mut bench = Bench::with(6);
-    bench.run(run::Action::Train);
+    bench.run(run::Action::Go);
     bench.answer(Event::Trained(model("trained here")));
     let news = News::Use { text: "trained here".to_owned(), corpus: "six.csv".to_owned() };
     assert_eq!(bench.told(), [&news]);
@@ -184,44 +370,40 @@ fn a_trained_model_is_given_to_the_page() {
 #[test]
 fn a_bad_file_loses_nothing() {
     let mut bench = Bench::with(6);
-    let before = bench.state.data.corpus.clone();
-    let flaw = Problem { line: 3, column: None, message: "broken".to_owned(), kept: false };
+    let before = bench.state.data.sheet.clone();
+    let flaw = Flaw {
+        file: 0,
+        line: 3,
+        column: None,
+        what: "broken".to_owned(),
+        snippet: None,
+        mend: None,
+        kept: false,
+    };
+    bench.act(Action::Turn(Tab::Run));
     bench.data(offered("bad.csv", Ok("x")));
-    bench.answer(Event::Corpus(CorpusReport {
-        problems: vec![flaw.clone()],
-        ..report("bad.csv", 0)
-    }));
-    assert_eq!(bench.state.data.corpus, before);
-    let problems = bench.state.data.file_notice.as_ref().map(|notice| notice.problems.clone());
-    assert_eq!(problems, Some(vec![flaw]));
+    assert_eq!(bench.state.tab, Tab::Data, "what is said of files is said there");
+    bench.answer(Event::Sheet(Box::new(useless("bad.csv", vec![flaw.clone()]))));
+    assert_eq!(bench.state.data.sheet, before);
+    let faults = bench.state.data.refused.as_ref().map(|refused| refused.faults.clone());
+    assert_eq!(faults, Some(vec![flaw]));
 
     bench.data(offered("no.csv", Ok("x")));
     bench.answer(Event::Refused { message: "not a corpus".to_owned() });
-    assert_eq!(bench.state.data.corpus, before);
+    assert_eq!(bench.state.data.sheet, before);
     bench.data(offered("big.csv", Err(Fault::TooLarge)));
     assert!(bench.notice().is_some_and(|words| words.contains("big.csv is larger")));
 
     bench.data(offered("good.csv", Ok("y")));
-    bench.answer(Event::Corpus(report("good.csv", 200)));
-    let corpus = bench.state.data.corpus.as_ref().expect("a corpus is open");
-    assert_eq!((&*corpus.files[0].bytes, corpus.shown), (&b"y"[..], PAGE));
+    bench.answer(Event::Sheet(Box::new(report("good.csv", 200))));
+    bench.settle(200);
     assert_eq!(bench.notice(), None);
-    assert!(bench.posted.is_empty(), "pictures of a large corpus come when a row is opened");
-    bench.data(data::Action::ToggleRow(7));
+    bench.data(data::Action::Look(Look::Open(7)));
     assert_eq!(bench.asked(), &Request::ShowRow { row: 7 });
-}
 
-#[test]
-fn the_learner_is_started_again_with_its_corpus() {
-    let mut bench = Bench::with(6);
-    bench.run(run::Action::Train);
-    bench.posted.clear();
-    bench.hear(0, Event::Crashed { message: "gone".to_owned() });
-    bench.act(Action::RestartEngine(Program::Learner));
-    bench.hear(0, Event::Ready);
-    assert!(
-        matches!(bench.asked(), Request::ReadCorpus { files, .. } if files[0].bytes == DEMO.as_bytes())
-    );
+    bench.run(run::Action::Go);
+    bench.data(offered("other.csv", Ok("z")));
+    assert!(bench.notice().is_some_and(|words| words.contains("Stop it first")));
 }
 
 #[test]
@@ -231,8 +413,8 @@ fn files_that_are_dropped_together_are_one_corpus() {
     bench.data(data::Action::Offered(vec![file("a.csv", "x"), given, file("b.json", "y")]));
     let news = News::Give(Given::Model("groundling model".to_owned()));
     assert_eq!(bench.told(), [&news], "without its byte-order mark");
-    let Request::ReadCorpus { files, with_rejected: false } = bench.asked() else { panic!() };
-    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let Request::OpenSheet { files, with_rejected: false } = bench.asked() else { panic!() };
+    let names: Vec<&str> = files.iter().map(|one| one.file.name.as_str()).collect();
     assert_eq!(names, ["a.csv", "b.json"]);
 
     let too_large = Offered { name: "big.csv".to_owned(), bytes: Err(Fault::TooLarge) };
@@ -247,33 +429,75 @@ fn files_that_are_dropped_together_are_one_corpus() {
 #[test]
 fn rejected_rows_are_used_when_a_person_says_so() {
     let mut bench = Bench::with(6);
-    bench.data(offered("all.csv", Ok("x")));
-    bench.answer(Event::Corpus(CorpusReport { rejected: 3, ..report("all.csv", 0) }));
-    assert!(bench.state.data.file_notice.as_ref().is_some_and(|n| n.rejected.len() == 1));
     bench.data(data::Action::UseRejected);
     let asked = |bench: &Bench| match bench.asked() {
-        Request::ReadCorpus { files, with_rejected } => (files[0].bytes.clone(), *with_rejected),
+        Request::OpenSheet { with_rejected, .. } => *with_rejected,
         other => panic!("{other:?}"),
     };
-    assert_eq!(asked(&bench), (b"x".to_vec(), true));
-    bench.answer(Event::Corpus(CorpusReport { rejected: 1, ..report("some.csv", 20) }));
+    assert!(asked(&bench));
+    bench.answer(Event::Sheet(Box::new(report("six.csv", 6))));
+    bench.settle(6);
     bench.data(data::Action::UseRejected);
-    assert_eq!(asked(&bench), (b"x".to_vec(), true), "the corpus that is open, read again");
+    assert!(!asked(&bench), "and left out again");
 }
 
 #[test]
 fn reading_shows_how_far_it_is_and_can_be_stopped() {
     let mut bench = Bench::with(6);
-    let before = bench.state.data.corpus.clone();
+    let before = bench.state.data.sheet.clone();
     bench.data(offered("long.csv", Ok("x")));
     let (id, _) = bench.posted.last().cloned().expect("it is being read");
     bench.hear(id, Event::Reading { done: 1, of: 4 });
     assert_eq!(bench.state.data.reading, Some((1, 4)));
-    bench.data(data::Action::StopReading);
+    bench.data(data::Action::Stop);
     assert_eq!(bench.posted.pop(), Some((id, Request::Cancel)));
     bench.answer(Event::Cancelled);
-    assert_eq!((bench.state.data.reading, &bench.state.data.corpus), (None, &before));
+    assert_eq!((bench.state.data.reading, &bench.state.data.sheet), (None, &before));
     assert!(bench.notice().is_some_and(|words| words.contains("stopped")));
+}
+
+#[test]
+fn the_lexicon_is_asked_for_when_it_is_seen_and_a_model_without_some_of_it_is_given_to_the_robot() {
+    let mut bench = Bench::with(6);
+    bench.act(Action::Turn(Tab::Lexicon));
+    let asked: Vec<Request> = bench.posted.iter().map(|(_, request)| request.clone()).collect();
+    let [Request::Errors, Request::Entries { view, offset: 0, .. }] = &asked[..] else {
+        panic!("{asked:?}")
+    };
+    let view = view.clone();
+    let window = EntryWindow { total: 70, ..EntryWindow::default() };
+    bench.answer(Event::Entries(Box::new(window.clone())));
+    bench.answer(Event::Refused { message: "no model was asked".to_owned() });
+    assert_eq!(bench.state.lexicon.window.as_deref(), Some(&window));
+    assert_eq!((&bench.state.lexicon.errors, &bench.state.lexicon.notice), (&None, &None));
+
+    bench.act(Action::Lexicon(lexicon::Action::Text("green".to_owned())));
+    // What was asked before has come late: it is not what is looked for.
+    let late = Request::Entries { view, offset: 0, count: 50 };
+    assert_ne!(bench.asked(), &late);
+    bench.settle(6);
+
+    bench.act(Action::Lexicon(lexicon::Action::Pick(12, true)));
+    bench.act(Action::Lexicon(lexicon::Action::Without));
+    assert_eq!(bench.asked(), &Request::Without { places: vec![12] });
+    bench.answer(Event::Trained(model("without it")));
+    assert!(matches!(bench.told()[..], [News::Use { text, .. }] if text == "without it"));
+}
+
+#[test]
+fn what_is_left_is_told_from_the_pass_before() {
+    let mut clock = run::clock::Clock::default();
+    let at = |epoch, example| Progress { examples: 100, epochs: 3, ..progress(epoch, example) };
+    clock.tick(0.0, &at(1, 0));
+    clock.tick(1_000.0, &at(1, 1));
+    assert_eq!(clock.left(&at(1, 1)), None, "too early to tell");
+    clock.tick(60_000.0, &at(1, 100));
+    clock.tick(61_000.0, &at(2, 0));
+    // The first pass took 61 s; the second is at its half, and one more follows.
+    assert_eq!(clock.left(&at(2, 50)), Some(30_500.0 + 61_000.0));
+    clock.rest();
+    clock.tick(1_000_000.0, &at(2, 51));
+    assert_eq!(clock.worked(), 61_000.0, "what goes by while it rests is not its own");
 }
 
 #[test]

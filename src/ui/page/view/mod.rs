@@ -9,6 +9,7 @@ pub mod stopped;
 pub mod files;
 pub mod sign;
 pub mod select;
+pub mod fields;
 pub mod notice;
 pub mod sketch;
 pub mod picture;

@@ -1,105 +1,91 @@
 //! Does what a person wants with the corpus.
 
-use super::action::Action;
-use super::corpus::{Corpus, DEMO, DEMO_NAME};
-use super::state::{FileNotice, State};
-use crate::ui::page::files::{self, Fault, Offered};
-use crate::ui::page::news::News;
+use super::action::{Action, Map};
+use super::state::State;
+use super::{care, look, open};
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
-use crate::ui::train::words::Text;
 use crate::worker::protocol::{CorpusFile, Request};
 
-/// Does what a person wants.
-pub fn update(state: &mut State, desk: &mut Desk, action: Action) {
+/// Does what a person wants; whether it is the corpus that there is to be seen of it.
+pub fn update(state: &mut State, desk: &mut Desk, action: Action) -> bool {
     match action {
-        Action::Offered(files) => open(state, desk, files),
-        Action::OpenDemo => open_demo(state, desk),
-        Action::ToggleRow(row) => toggle_row(state, desk, row),
-        Action::MoreRows => state.corpus.iter_mut().for_each(Corpus::more),
-        Action::SaveCorpus => {
-            for file in state.corpus.iter().flat_map(|corpus| corpus.files.iter()) {
-                desk.want(Effect::GiveBack(file.clone()));
+        Action::Offered(files) => return open::open(state, desk, files),
+        Action::OpenDemo => open::open_demo(state, desk),
+        Action::UseRejected => {
+            let refused = state.refused.take().map(|refused| (refused.files, true));
+            let refused = refused.filter(|(files, _)| !files.is_empty());
+            let open = || {
+                let sheet = state.sheet.as_ref()?;
+                Some((sheet.files.to_vec(), !sheet.with_rejected))
+            };
+            if let Some((files, with_rejected)) = refused.or_else(open) {
+                open::read(state, desk, files, with_rejected);
             }
         }
-        Action::UseRejected => {
-            let refused = state.file_notice.take().map(|notice| notice.rejected);
-            let open = || state.corpus.as_ref().map(|corpus| corpus.files.to_vec());
-            let files = refused.filter(|files| !files.is_empty()).or_else(open);
-            read(state, desk, files.unwrap_or_default(), true);
-        }
-        Action::StopReading => {
-            desk.learner.retain(|request| !matches!(request, Request::ReadCorpus { .. }));
-            if state.reading.is_some() {
+        Action::Stop => {
+            desk.learner.retain(|request| !matches!(request, Request::OpenSheet { .. }));
+            if state.reading.is_some() || state.auditing.is_some() {
                 desk.cancel();
             }
         }
+        Action::SaveCorpus(form) => {
+            for file in 0..state.sheet.as_ref().map_or(0, |sheet| sheet.files.len() as u32) {
+                desk.ask(Request::SaveSheet { file, form });
+            }
+        }
+        Action::SaveBadRows(file) => desk.ask(Request::SaveBadRows { file }),
+        Action::Look(action) => {
+            if let Some(sheet) = &mut state.sheet {
+                look::look(sheet, desk, action);
+            }
+        }
+        Action::Care(action) => {
+            if let Some(sheet) = &mut state.sheet {
+                care::care(sheet, desk, action);
+            }
+        }
+        Action::Map(action) => map(state, desk, action),
     }
+    true
 }
 
 /// The workbench is to be seen: it begins with the page's own sentences.
 pub fn begin(state: &mut State, desk: &mut Desk) {
-    let reads = |request: &Request| matches!(request, Request::ReadCorpus { .. });
-    if state.corpus.is_none() && !desk.learner.is_at(reads) {
-        open_demo(state, desk);
+    let reads = |request: &Request| matches!(request, Request::OpenSheet { .. });
+    if state.sheet.is_none() && !desk.learner.is_at(reads) {
+        open::open_demo(state, desk);
     }
 }
 
-/// The engine began anew: it is given its corpus again.
-pub fn restore(state: &State, desk: &mut Desk) {
-    if let Some(corpus) = &state.corpus {
-        let (files, with_rejected) = (corpus.files.to_vec(), corpus.with_rejected);
-        desk.send(Request::ReadCorpus { files, with_rejected }, false);
-    }
-}
-
-/// Opens files: all corpora among them are one, the rest is the robot's. Where one cannot be read, none is.
-fn open(state: &mut State, desk: &mut Desk, files: Vec<Offered>) {
-    let (mut corpora, mut given) = (Vec::new(), Vec::new());
-    for Offered { name, bytes } in files {
-        let taken = bytes.and_then(|bytes| {
-            if files::kind(&name, &bytes) == files::Kind::Corpus {
-                corpora.push(CorpusFile { name: name.clone(), bytes });
-            } else {
-                given.extend(files::given(&name, bytes)?);
+fn map(state: &mut State, desk: &mut Desk, action: Map) {
+    match action {
+        Map::Begin => {
+            let refused = state.refused.as_ref().map(|refused| &refused.files[..]);
+            let open = || state.sheet.as_ref().map(|sheet| &sheet.files[..]);
+            let files = refused.filter(|files| !files.is_empty()).or_else(open);
+            let files: Vec<CorpusFile> =
+                files.unwrap_or_default().iter().map(|one| one.file.clone()).collect();
+            if let Some(first) = files.first() {
+                desk.ask(Request::Preview { file: first.clone() });
             }
-            Ok(())
-        });
-        if let Err(fault) = taken {
-            return refuse(state, desk, &name, fault);
+            state.to_map = files.into();
         }
-    }
-    for given in given {
-        desk.want(Effect::Tell(News::Give(given)));
-    }
-    if !corpora.is_empty() {
-        read(state, desk, corpora, false);
-    }
-}
-
-/// Gives the engine files to read as one corpus.
-fn read(state: &mut State, desk: &mut Desk, files: Vec<CorpusFile>, with_rejected: bool) {
-    state.file_notice = None;
-    desk.learner.retain(|r| !matches!(r, Request::ShowRow { .. } | Request::ReadCorpus { .. }));
-    desk.send(Request::ReadCorpus { files, with_rejected }, false);
-}
-
-/// A file of this name cannot be read.
-fn refuse(state: &mut State, desk: &mut Desk, name: &str, fault: Fault) {
-    let message = (Text::of(desk.language).file_fault)(name, fault);
-    desk.say(message.clone());
-    state.file_notice = Some(FileNotice::of(message));
-}
-
-fn open_demo(state: &mut State, desk: &mut Desk) {
-    let file = CorpusFile { name: DEMO_NAME.to_owned(), bytes: DEMO.into() };
-    read(state, desk, vec![file], false);
-}
-
-fn toggle_row(state: &mut State, desk: &mut Desk, row: usize) {
-    let Some(corpus) = &mut state.corpus else { return };
-    corpus.open = (corpus.open != Some(row)).then_some(row);
-    if corpus.open.is_some() && !corpus.pairs.contains_key(&row) {
-        desk.send(Request::ShowRow { row }, false);
+        Map::Choose(at, column) => {
+            state.columns.iter_mut().for_each(|columns| columns.choose(at, column));
+        }
+        Map::Use => {
+            if let Some(columns) = &state.columns {
+                let files = columns.mapped();
+                open::read(state, desk, files, false);
+            }
+        }
+        Map::Save => {
+            if let Some(columns) = &state.columns {
+                let (name, text) = ("mapping.json".to_owned(), columns.mapping().write());
+                desk.want(Effect::Save { name, text });
+            }
+        }
+        Map::Leave => state.columns = None,
     }
 }

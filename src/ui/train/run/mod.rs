@@ -1,9 +1,12 @@
-//! Training: begun, followed, and what comes of it.
+//! Training: its settings, begun, paused, followed step by step, gone on with, and what comes of it.
 
+pub mod words;
+pub mod clock;
+pub mod curve;
 pub mod action;
 pub mod state;
-pub mod update;
 pub mod hear;
+pub mod update;
 #[cfg(target_arch = "wasm32")]
 pub mod view;
 

@@ -1,27 +1,159 @@
 //! The state of training.
 
+use super::action::{Number, Setting};
+use super::clock::Clock;
+use super::curve::Point;
 use crate::ui::train::desk::Desk;
-use crate::worker::protocol::{Progress, Request, TrainSettings};
-
-/// The paper's settings, which the page trains with.
-pub const SETTINGS: TrainSettings =
-    TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
+use crate::worker::protocol::{Lexicon, Look, Progress, Request, SeedLexicon, Settings};
+use std::rc::Rc;
 
 /// All that is known of training.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
-    /// How far training is, while it runs.
-    pub progress: Option<Progress>,
+    /// The settings of the next run.
+    pub settings: Settings,
+    /// What is known before, if a person chose it.
+    pub lexicon: Option<SeedLexicon>,
+    /// The run at work, or the last one.
+    pub run: Option<Run>,
     /// What came of training, when it is not a model.
     pub notice: Option<String>,
+    /// Tells the timer that counts.
+    pub timer: u32,
 }
 
-/// Whether it is training, or will be as soon as it can.
-pub fn is_training(desk: &Desk) -> bool {
-    desk.learner.is_at(|request| matches!(request, Request::Train { .. }))
+/// A run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Its settings.
+    pub settings: Settings,
+    /// The name of its corpus.
+    pub corpus: String,
+    /// How it goes.
+    pub pace: Pace,
+    /// How far it is.
+    pub progress: Option<Progress>,
+    /// What it did, epoch by epoch.
+    pub points: Rc<Vec<Point>>,
+    /// What it learned last.
+    pub look: Option<Rc<Look>>,
+    /// Its clock.
+    pub clock: Clock,
+    /// Where it can go on from, and when that was.
+    pub checkpoint: Option<(String, f64)>,
+    /// Whether a new engine was started for it, and it has not gone on yet.
+    pub is_retried: bool,
+}
+
+/// How a run goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// It works.
+    Goes,
+    /// It is asked to rest.
+    Pauses,
+    /// It rests.
+    Rests,
+    /// It was stopped.
+    Stopped,
+    /// It is over.
+    Over,
+}
+
+impl Run {
+    /// A run that begins.
+    pub fn new(settings: Settings, corpus: String) -> Run {
+        Run {
+            settings,
+            corpus,
+            pace: Pace::Goes,
+            progress: None,
+            points: Rc::default(),
+            look: None,
+            clock: Clock::default(),
+            checkpoint: None,
+            is_retried: false,
+        }
+    }
+}
+
+impl State {
+    /// The settings of the next run on a corpus that this lexicon suits.
+    pub fn settings(&self, suits: Lexicon) -> Settings {
+        let lexicon = self.lexicon.map_or(suits, Lexicon::Here);
+        Settings { lexicon, ..self.settings.clone() }
+    }
+
+    /// Whether the settings are the paper's.
+    pub fn is_paper(&self) -> bool {
+        self.settings == Settings::default() && self.lexicon.is_none()
+    }
+
+    /// The value of a setting.
+    pub fn number(&self, number: Number) -> f64 {
+        let settings = &self.settings;
+        match number {
+            Number::Epochs => settings.epochs.into(),
+            Number::Beam => settings.beam.into(),
+            Number::LexicalBeam => settings.lexical_beam.into(),
+            Number::Demonstrations => settings.demonstrations.unwrap_or(0).into(),
+            Number::Margin => settings.margin,
+            Number::Seed => settings.seed.into(),
+            Number::Budget => settings.budget.into(),
+            Number::LexicalBudget => settings.lexical_budget.into(),
+            Number::Generations => settings.generations.into(),
+        }
+    }
+
+    /// A setting is this.
+    pub fn set(&mut self, setting: Setting) {
+        let settings = &mut self.settings;
+        match setting {
+            Setting::Number(number, value) => {
+                // What is no whole number, or out of its range, is the nearest that is.
+                let whole = value as u32;
+                match number {
+                    Number::Epochs => settings.epochs = whole,
+                    Number::Beam => settings.beam = whole,
+                    Number::LexicalBeam => settings.lexical_beam = whole,
+                    Number::Demonstrations => {
+                        settings.demonstrations = (whole > 0).then_some(whole);
+                    }
+                    Number::Margin => settings.margin = value,
+                    Number::Seed => settings.seed = whole,
+                    Number::Budget => settings.budget = whole,
+                    Number::LexicalBudget => settings.lexical_budget = whole,
+                    Number::Generations => settings.generations = whole,
+                }
+            }
+            Setting::Idioms(idioms) => settings.idioms = idioms,
+            Setting::Without(kind, without) => {
+                settings.without.retain(|other| *other != kind);
+                if without {
+                    settings.without.push(kind);
+                    settings.without.sort();
+                }
+            }
+            Setting::Lexicon(lexicon) => self.lexicon = lexicon,
+        }
+    }
+
+    /// The run at work, if there is one.
+    pub fn live(&self) -> Option<&Run> {
+        self.run.as_ref().filter(|run| !matches!(run.pace, Pace::Stopped | Pace::Over))
+    }
 }
 
 /// Whether training on so many commands can begin.
 pub fn can_train(desk: &Desk, commands: usize) -> bool {
-    commands > 0 && desk.is_ready() && !is_training(desk)
+    let busy = |request: &Request| {
+        matches!(
+            request,
+            Request::Learn { .. }
+                | Request::OpenSheet { .. }
+                | Request::Audit { .. }
+                | Request::RunShard { .. }
+        )
+    };
+    commands > 0 && desk.is_ready() && !desk.learner.is_at(busy)
 }

@@ -1,38 +1,143 @@
 //! Does what a person wants about training.
 
 use super::action::Action;
-use super::state::{SETTINGS, State, can_train, is_training};
+use super::state::{Pace, Run, State, can_train};
+use super::words::Text;
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
-use crate::ui::train::words::Text;
-use crate::worker::protocol::{Request, SeedLexicon};
+use crate::worker::protocol::{Lexicon, Request, Settings};
 
-/// Does what a person wants; the corpus that is open has so many commands, and this is known before.
-pub fn update(
-    state: &mut State,
-    desk: &mut Desk,
-    action: Action,
-    commands: usize,
-    lexicon: SeedLexicon,
-) {
+/// Milliseconds between two looks at what is learned.
+const LOOK_MS: u32 = 400;
+
+/// What a run would be on: the name of the corpus, its commands, and what suits it as known before.
+pub struct Ground {
+    /// The corpus's name.
+    pub name: String,
+    /// Commands that are learned from.
+    pub commands: usize,
+    /// What suits it.
+    pub lexicon: Lexicon,
+    /// Whether training is to be seen.
+    pub seen: bool,
+}
+
+/// Does what a person wants.
+pub fn update(state: &mut State, desk: &mut Desk, action: Action, ground: Ground) {
     match action {
-        Action::Train if can_train(desk, commands) => {
-            (state.notice, state.progress) = (None, None);
-            desk.say(Text::of(desk.language).training_begun);
-            desk.send(Request::Train { lexicon, settings: SETTINGS }, true);
+        Action::Go => go(state, desk, ground),
+        Action::Pause => {
+            if let Some(run) = live(state) {
+                run.pace = Pace::Pauses;
+                desk.ask(Request::Pause);
+            }
         }
-        Action::Train => {}
-        Action::Cancel => {
-            desk.learner.retain(|request| !matches!(request, Request::Train { .. }));
-            if is_training(desk) {
+        Action::StepExample => step(state, desk, ground, Request::StepExample),
+        Action::StepEpoch => step(state, desk, ground, Request::StepEpoch),
+        Action::Stop => {
+            desk.learner.retain(|request| !matches!(request, Request::Learn { .. }));
+            if desk.is_learning() {
                 desk.cancel();
             }
         }
+        Action::GoOn => {
+            if let Some(run) = state.run.as_mut().filter(|_| can_train(desk, ground.commands)) {
+                run.pace = Pace::Goes;
+                run.clock.rest();
+                state.notice = None;
+                learn(run, desk);
+                look_on(state, desk);
+            }
+        }
+        Action::UseSoFar => desk.ask(Request::ModelSoFar),
+        Action::Set(setting) => state.set(setting),
+        Action::Paper => (state.settings, state.lexicon) = (Settings::default(), None),
         Action::SaveModel => {
             if let Some(model) = &desk.in_use {
                 let text = model.report.model.clone();
                 desk.want(Effect::Save { name: "groundling.model".to_owned(), text });
             }
         }
+        Action::Rang(timer) if timer == state.timer && state.live().is_some() => {
+            if ground.seen {
+                desk.ask(Request::Look);
+            }
+            look_on(state, desk);
+        }
+        Action::Rang(_) => {}
     }
+}
+
+/// The engine that a run was at work in has died: a new one goes on from the last checkpoint, unless the run did not get
+/// on since the one before. Whether it does.
+pub fn retry(state: &mut State) -> bool {
+    let Some(run) = live(state).filter(|run| !run.is_retried) else {
+        stop(state);
+        return false;
+    };
+    run.is_retried = true;
+    run.clock.rest();
+    true
+}
+
+/// The new engine has its corpus: the run goes on.
+pub fn restore(state: &mut State, desk: &mut Desk) {
+    if let Some(run) = live(state) {
+        run.pace = Pace::Goes;
+        learn(run, desk);
+    }
+}
+
+/// The run is at work no more.
+pub fn stop(state: &mut State) {
+    if let Some(run) = live(state) {
+        run.pace = Pace::Stopped;
+    }
+}
+
+fn live(state: &mut State) -> Option<&mut Run> {
+    state.run.as_mut().filter(|run| !matches!(run.pace, Pace::Stopped | Pace::Over))
+}
+
+fn go(state: &mut State, desk: &mut Desk, ground: Ground) {
+    if let Some(run) = live(state) {
+        run.pace = Pace::Goes;
+        return desk.ask(Request::Resume);
+    }
+    if can_train(desk, ground.commands) {
+        begin(state, desk, ground);
+    }
+}
+
+fn step(state: &mut State, desk: &mut Desk, ground: Ground, step: Request) {
+    if state.live().is_none() {
+        if !can_train(desk, ground.commands) {
+            return;
+        }
+        begin(state, desk, ground);
+    }
+    if let Some(run) = live(state) {
+        run.pace = Pace::Pauses;
+    }
+    desk.ask(step);
+}
+
+fn begin(state: &mut State, desk: &mut Desk, ground: Ground) {
+    state.notice = None;
+    desk.say(Text::of(desk.language).begun);
+    let run = Run::new(state.settings(ground.lexicon), ground.name);
+    learn(&run, desk);
+    state.run = Some(run);
+    look_on(state, desk);
+}
+
+/// Asks for a run from its checkpoint, or from the beginning.
+fn learn(run: &Run, desk: &mut Desk) {
+    let resume = run.checkpoint.as_ref().map(|(text, _)| text.clone());
+    desk.send(Request::Learn { settings: Box::new(run.settings.clone()), resume }, false);
+}
+
+fn look_on(state: &mut State, desk: &mut Desk) {
+    state.timer = state.timer.wrapping_add(1);
+    desk.want(Effect::Ring(state.timer, LOOK_MS));
 }

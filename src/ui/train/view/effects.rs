@@ -5,10 +5,12 @@ use crate::ui::page::view::save::{save, save_bytes};
 use crate::ui::page::view::worker::Engine;
 use crate::ui::train::action::Action;
 use crate::ui::train::effect::Effect;
+use crate::ui::train::run;
 use crate::worker::protocol::{Program, decode};
 use gloo_timers::callback::Timeout;
 use js_sys::Function;
 use wasm_bindgen::JsValue;
+use wasm_bindgen_futures::spawn_local;
 use yew::Callback;
 
 /// Carries effects out, and tells the workbench what comes of them.
@@ -52,10 +54,16 @@ impl Effects {
                 let act = self.act.clone();
                 Timeout::new(ms, move || act.emit(Action::Look(program, watch))).forget();
             }
+            Effect::Ring(number, ms) => {
+                let act = self.act.clone();
+                Timeout::new(ms, move || act.emit(Action::Run(run::Action::Rang(number)))).forget();
+            }
             Effect::Tell(news) => {
                 let [kind, text, corpus] = news.words();
                 self.tell.call3(&JsValue::NULL, &kind.into(), &text.into(), &corpus.into())?;
             }
+            // The element may be in what is about to be drawn.
+            Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
             Effect::Save { name, text } => save(&name, &text)?,
             Effect::GiveBack(file) => save_bytes(&file.name, &file.bytes)?,
         }

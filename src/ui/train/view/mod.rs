@@ -1,6 +1,7 @@
 //! The workbench as Yew draws it, and what carries its effects out; wasm only.
 
 mod effects;
+mod tabs;
 mod root;
 
 pub use root::{Handle, mount};

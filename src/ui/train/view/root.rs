@@ -3,13 +3,17 @@
 
 use super::effects::Effects;
 use crate::ui::page::view::foot::foot;
+use super::tabs::tabs;
 use crate::ui::page::view::stopped::stopped;
 use crate::ui::page::view::{files, host};
 use crate::ui::page::words::Text as Common;
-use crate::ui::train::action::Action;
+use crate::ui::train::action::{Action, Tab};
 use crate::ui::train::data;
-use crate::ui::train::data::view::corpus;
-use crate::ui::train::run::view::training;
+use crate::ui::train::data::view::panel as data_panel;
+use crate::ui::train::experiments::view::panel as experiments_panel;
+use crate::ui::train::lexicon::view::panel as lexicon_panel;
+use crate::ui::train::run::state::can_train;
+use crate::ui::train::run::view::panel as run_panel;
 use crate::ui::train::state::State;
 use crate::ui::train::update::reduce;
 use js_sys::Function;
@@ -69,6 +73,7 @@ impl Component for Workbench {
         match message {
             Message::Bench(action) => {
                 let shown = self.state.shown;
+                self.state.desk.clock = host::now();
                 let effects = reduce(&mut self.state, action);
                 self.effects.run(effects);
                 shown || self.state.shown
@@ -78,7 +83,7 @@ impl Component for Workbench {
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let State { desk, shown, data, run } = &self.state;
+        let State { desk, shown, tab, data, run, experiments, lexicon } = &self.state;
         if !shown {
             return Html::default();
         }
@@ -103,9 +108,17 @@ impl Component for Workbench {
             <div class={classes!("page", self.dragging.then_some("dragging"))} data-drop={common.drop_here}
                 ondragover={drag(true)} ondragleave={drag(false)} ondrop={drop}>
                 { stopped(desk.language, &desk.learner, &act.reform(Action::RestartEngine)) }
-                <main class="columns train">
-                    { training(run, desk, data.commands(), &act.reform(Action::Run), &offer) }
-                    { corpus(data, desk, &act.reform(Action::Data)) }
+                <main>
+                    { tabs(desk.language, *tab, &act.reform(Action::Turn)) }
+                    <div role="tabpanel" id="part" aria-labelledby={format!("tab-{}", tab.name())}>
+                        { match tab {
+                            Tab::Data => data_panel(data, desk, &act.reform(Action::Data)),
+                            Tab::Run => run_panel(run, desk, data.commands(), &act.reform(Action::Run), &offer),
+                            Tab::Experiments => experiments_panel(experiments, desk, data.held_out(),
+                                can_train(desk, data.commands()), &act.reform(Action::Experiments)),
+                            Tab::Lexicon => lexicon_panel(lexicon, desk, self.state.confused(), &act.reform(Action::Lexicon)),
+                        } }
+                    </div>
                 </main>
                 { foot(desk.language) }
             </div>

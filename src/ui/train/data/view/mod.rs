@@ -1,7 +1,13 @@
 //! The corpus as Yew draws it; wasm only.
 
-mod problems;
+mod faults;
+mod files;
+mod mapping;
+mod filters;
+mod grid;
 mod row;
-mod corpus;
+mod care;
+mod split;
+mod panel;
 
-pub(crate) use corpus::corpus;
+pub(crate) use panel::panel;

@@ -1,49 +1,49 @@
-//! One command of a corpus: its first demonstration small, and when it is open all of them.
+//! A row that is open: its demonstrations side by side, what was decided of it, and what the model makes of it.
 
+use super::grid::arrow;
 use crate::render::{Options, Theme};
 use crate::ui::page::view::picture::Picture;
-use crate::ui::train::data::action::Action;
-use crate::ui::train::data::corpus::Corpus;
-use crate::ui::train::words::Text;
-use crate::worker::protocol::{PairText, RowSummary};
-use yew::{Callback, Html, classes, html};
+use crate::ui::page::view::sign::{Sign, sign};
+use crate::ui::train::data::action::{Action, Look};
+use crate::ui::train::data::sheet::{Open, Sheet};
+use crate::ui::train::data::words::Text;
+use crate::worker::protocol::{Decision, PairText, Reading, RowReading};
+use yew::{Callback, Html, html};
 
-/// A row of the corpus.
-pub(super) fn row(
-    text: &Text,
-    corpus: &Corpus,
-    index: usize,
-    theme: Theme,
-    act: &Callback<Action>,
-) -> Html {
-    let Some(RowSummary { command, task, pairs: count }) = corpus.report.rows.get(index) else {
-        return Html::default();
-    };
-    let open = corpus.open == Some(index);
-    let pairs = corpus.pairs.get(&index);
-    let first = pairs.and_then(|pairs| pairs.first()).filter(|_| !open);
+/// Readings that are shown.
+const SHOWN: usize = 8;
+
+/// The row that is open; nothing when none is.
+pub(super) fn row(sheet: &Sheet, text: &Text, theme: Theme, act: &Callback<Action>) -> Html {
+    let Some(Open { row, pairs, reading }) = &sheet.open else { return Html::default() };
+    let line = sheet.table.window.lines.iter().find(|line| line.row == *row);
     html! {
-        <li key={index} class={classes!("row", open.then_some("open"))} data-testid="row">
-            <button type="button" class="row-head" aria-expanded={open.to_string()}
-                onclick={act.reform(move |_| Action::ToggleRow(index))}>
-                <span class="row-words">
-                    <span class="row-command">{ command }</span>
-                    <span class="dim">{ (text.demonstrations)(*count) }
-                        if let Some(task) = task { {" · "}{ task } }
-                    </span>
-                </span>
-                if let Some(pair) = first { { show(text, pair, 1, theme) } }
-            </button>
-            if open {
-                <div class="pairs" data-testid="pairs">
-                    if let Some(pairs) = pairs {
-                        { for pairs.iter().zip(1..).map(|(pair, n)| show(text, pair, n, theme)) }
-                    } else {
-                        <p class="dim">{ text.reading_row }</p>
-                    }
-                </div>
+        <section class="card open-row" aria-labelledby="row-title" data-testid="open-row">
+            <div class="card-head">
+                <h2 id="row-title">{ line.map_or("", |line| line.command.as_str()) }</h2>
+                { sign("close-row", text.close, Sign::Close, false, act.reform(|()| Action::Look(Look::Close))) }
+            </div>
+            if let Some(line) = line {
+                <p class="dim figures">
+                    { (text.where_from)(&line.id, line.line) }
+                    { for [&line.task, &line.worker].into_iter().flatten().map(|word| html! { <>{" · "}{ word }</> }) }
+                    if let Decision::Rejected(why) = &line.decision { {" · "}{ text.reason }{": "}{ why.to_string() } }
+                    { for line.marks.iter().map(|(rule, why)| html! { <><br />{ (text.rule)(*rule) }{": "}{ why }</> }) }
+                </p>
             }
-        </li>
+            <div class="pairs" data-testid="pairs">
+                if let Some(pairs) = pairs {
+                    { for pairs.iter().zip(1..).map(|(pair, n)| show(text, pair, n, theme)) }
+                } else {
+                    <p class="dim">{ text.reading }</p>
+                }
+            </div>
+            { match reading {
+                Some(reading) => readings(text, reading),
+                None if sheet.is_audited => html! { <p class="dim">{ text.reading }</p> },
+                None => html! { <p class="dim">{ text.not_audited }</p> },
+            } }
+        </section>
     }
 }
 
@@ -54,8 +54,38 @@ fn show(text: &Text, pair: &PairText, number: usize, theme: Theme) -> Html {
     html! {
         <span class="pair">
             <Picture world={pair.pre.clone()} options={options()} label={before} />
-            <svg class="arrow" viewBox="0 0 24 24" aria-hidden="true"><path d="M4 12h14m-6-6 6 6-6 6" /></svg>
+            { arrow() }
             <Picture world={pair.post.clone()} options={options()} label={after} />
         </span>
+    }
+}
+
+fn readings(text: &Text, found: &RowReading) -> Html {
+    html! {
+        <>
+            <h3>{ (text.readings)(found.n_readings) }</h3>
+            if let Some(reason) = &found.reason { <p class="dim">{ (text.no_reading)(reason) }</p> }
+            <ol class="row-readings" data-testid="row-readings">
+                { for found.readings.iter().take(SHOWN).map(|(reading, valid)| one(text, reading, valid)) }
+            </ol>
+        </>
+    }
+}
+
+fn one(text: &Text, reading: &Reading, valid: &[bool]) -> Html {
+    let formula: String = reading.formula.iter().map(|piece| piece.text.as_str()).collect();
+    html! {
+        <li>
+            <p>{ text.phrases.claim(&reading.claim) }</p>
+            <code>{ formula }</code>
+            <p class="verdicts figures">
+                { format!("{:.2} ", reading.score) }
+                { for valid.iter().zip(1..).map(|(valid, n)| html! {
+                    <span class={if *valid { "good" } else { "wrong" }} role="img" aria-label={(text.valid_for)(*valid, n)}>
+                        { if *valid { "✓" } else { "✗" } }{ n }
+                    </span>
+                }) }
+            </p>
+        </li>
     }
 }

@@ -1,5 +1,9 @@
 //! Training as Yew draws it; wasm only.
 
-mod training;
+mod press;
+mod settings;
+mod curves;
+mod now;
+mod panel;
 
-pub(crate) use training::training;
+pub(crate) use panel::panel;

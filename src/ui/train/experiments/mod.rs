@@ -1,0 +1,13 @@
+//! Experiments: runs that are planned together, run one after another, and compared.
+
+pub mod words;
+pub mod matrix;
+pub mod action;
+pub mod state;
+pub mod update;
+pub mod hear;
+#[cfg(target_arch = "wasm32")]
+pub mod view;
+
+pub use action::Action;
+pub use state::State;

@@ -1,0 +1,93 @@
+//! Experiments: chosen, run, and what they found.
+
+use super::results::results;
+use crate::ui::page::view::fields::{choice, number};
+use crate::ui::page::view::files::open_file;
+use crate::ui::page::view::notice::notice;
+use crate::ui::train::desk::Desk;
+use crate::ui::train::experiments::action::Action;
+use crate::ui::train::experiments::matrix::Kind;
+use crate::ui::train::experiments::state::{State, is_running};
+use crate::ui::train::experiments::words::Text;
+use crate::worker::protocol::{By, ExperimentProgress, RunPart};
+use yew::{Callback, Html, html};
+
+/// Experiments on a corpus of which so many rows are held out; `can_run` says whether the engine is free.
+pub(crate) fn panel(
+    state: &State,
+    desk: &Desk,
+    held_out: u32,
+    can_run: bool,
+    act: &Callback<Action>,
+) -> Html {
+    let text = Text::of(desk.language);
+    html! {
+        <div class="data">
+            { chosen(state, desk, held_out, can_run, text, act) }
+            { results(state, text, act) }
+        </div>
+    }
+}
+
+fn chosen(
+    state: &State,
+    desk: &Desk,
+    held_out: u32,
+    can_run: bool,
+    text: &Text,
+    act: &Callback<Action>,
+) -> Html {
+    let kinds: Vec<String> = Kind::ALL.iter().map(|kind| (text.kind)(*kind).to_owned()).collect();
+    let place = Kind::ALL.iter().position(|kind| *kind == state.kind).unwrap_or(0);
+    let choose =
+        act.reform(|at: usize| Action::Choose(Kind::ALL.get(at).copied().unwrap_or_default()));
+    let by: Vec<String> = By::ALL.iter().map(|(_, by)| (text.by)(*by).to_owned()).collect();
+    let lacks = state.kind.needs_held_out() && held_out == 0;
+    let running = is_running(desk);
+    let (id, words, action, off) = match running {
+        true => ("stop-runs", text.stop, Action::Stop, false),
+        false => ("run", text.go, Action::Go, lacks || !can_run),
+    };
+    html! {
+        <section class="card" aria-labelledby="experiments-title">
+            <h2 id="experiments-title">{ text.experiments }</h2>
+            <p class="dim">{ text.help }</p>
+            <div class="fields">
+                { choice("experiment".into(), text.experiment.into(), &kinds, place, choose) }
+                if state.kind == Kind::Cross {
+                    { number("folds".into(), text.folds.into(), [state.folds.into(), 2.0, 100.0, 1.0], false,
+                        act.reform(|n: f64| Action::Folds(n as u32))) }
+                }
+                if matches!(state.kind, Kind::Cross | Kind::Curve) {
+                    { choice("experiment-by".into(), text.together.into(), &by, state.by, act.reform(Action::By)) }
+                }
+                if state.kind == Kind::Seeds {
+                    { number("seeds".into(), text.seeds.into(), [state.seeds.into(), 2.0, 100.0, 1.0], false,
+                        act.reform(|n: f64| Action::Seeds(n as u32))) }
+                }
+            </div>
+            if lacks { <p class="notice" data-testid="needs-held-out">{ text.needs_held_out }</p> }
+            <p class="buttons">
+                <button type="button" class="primary" data-testid={id} disabled={off}
+                    onclick={act.reform(move |_| action.clone())}>{ words }</button>
+            </p>
+            if let Some(progress) = &state.progress { { bar(text, progress) } }
+            { notice(state.notice.as_deref(), "experiment-notice") }
+            { open_file("runs-file", text.repeat, ".json", None, &act.reform(Action::Repeat)) }
+        </section>
+    }
+}
+
+fn bar(text: &Text, progress: &ExperimentProgress) -> Html {
+    let ExperimentProgress { run, runs, name, part } = progress;
+    let part = match part {
+        RunPart::Learning(progress) => (text.learning)(progress),
+        RunPart::Judging { judged, commands } => (text.judging)(*judged, *commands),
+    };
+    html! {
+        <div class="bar" data-testid="runs-progress">
+            <progress aria-label={text.experiments} max={runs.to_string()} value={run.to_string()} />
+            <p class="dim">{ (text.at)(run + 1, *runs, name, &part) }</p>
+        </div>
+    }
+}

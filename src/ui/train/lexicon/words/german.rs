@@ -1,0 +1,51 @@
+//! The words about what was learned in German.
+
+use super::table::Text;
+
+/// The words.
+pub(super) static GERMAN: Text = Text {
+    lexicon: "Das Lexikon",
+    lexicon_help: "Des Modells, das zuletzt nach den Zeilen gefragt wurde, sonst des zuletzt hier trainierten.",
+    search: "Wörter, Kategorie oder Bedeutung",
+    learned_only: "Nur Gelerntes",
+    words: "Wörter",
+    category: "Kategorie",
+    meaning: "Bedeutung",
+    weight: "Gewicht",
+    uses: "Zeilen",
+    from: "Gelernt aus",
+    seed: "vorher bekannt",
+    pick: |words| format!("Den Eintrag von {words} auswählen"),
+    shown: |from, to, of| format!("{from} bis {to} von {of} Einträgen"),
+    before: "Zurück",
+    next: "Weiter",
+    leave_out: |n| format!("Den Roboter das Modell ohne {n} Einträge verwenden lassen"),
+    without: |n| format!("dem Korpus, ohne {n} Einträge"),
+
+    // Errors.
+    errors: "Wo es irrt",
+    no_errors: "Unter Daten ein Modell nach jeder Zeile fragen: Dann stehen hier die schlechtesten Befehle, die unbekannten Wörter und die Merkmale, die falsch entschieden.",
+    worst: "Befehle, die am meisten scheitern",
+    command: "Befehl",
+    right: "Richtig",
+    best_form: "Beste Form",
+    unknown: "Unbekannte Wörter",
+    deciders: "Merkmale, die falsch entschieden",
+    feature: "Merkmal",
+    by: "Um",
+    confusion: "Was falsche Antworten stattdessen taten, an Zurückgehaltenem",
+    task: "Aufgabe",
+    does: "Tat",
+    nothing: "nichts",
+    count: "Mal",
+
+    // Two models.
+    compare: "Das Modell des Roboters mit einem anderen vergleichen",
+    compare_with: "Eine Modelldatei wählen",
+    no_model: |name| format!("{name} ist keine Modelldatei."),
+    compared: "Die Modelle sind verglichen.",
+    robots: "Das des Roboters",
+    alone: |name, n| format!("{n} Einträge nur von {name}"),
+    common: |n| format!("{n} Einträge von beiden"),
+    moved: "Gewichte, die sich am meisten unterscheiden",
+};
