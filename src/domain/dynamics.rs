@@ -153,6 +153,13 @@ impl Dynamics {
         is_free.then_some(facing(moved, heading))
     }
 
+    /// What all states have in common that differ only in where the agent is, and where it is.
+    #[inline]
+    #[must_use]
+    pub fn without_agent(&self, packed: Packed) -> (Packed, u32) {
+        (packed.with(SMALL, self.width, 0), u32::from(self.agent(packed)))
+    }
+
     /// Where the object with this index is.
     #[inline]
     #[must_use]
@@ -236,6 +243,21 @@ impl Dynamics {
                 }
             }
         }
+    }
+
+    /// The state with the robot and an object moved to these places, in compass form, as the [`Dynamics::quotient`] of
+    /// where the robot faces that object.
+    #[inline]
+    pub(super) fn moved(
+        &self,
+        packed: Packed,
+        object: usize,
+        [agent, to]: [Place; 2],
+        heading: Direction,
+    ) -> Packed {
+        let heading = if self.rules.pull { heading } else { Direction::North };
+        let moved = packed.with(SMALL, self.width, u128::from(agent));
+        facing(moved.with(self.object_shift(object), self.width, u128::from(to)), heading)
     }
 
     /// What an action tries, before anything goes wrong.

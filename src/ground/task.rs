@@ -4,8 +4,13 @@
 
 use super::compile::Compiled;
 use super::goal::Goal;
-use crate::domain::{Action, Dynamics, PackError, Packed, Rules, State, StateError};
-use crate::mdp::Mdp;
+use super::pairs::Pairs;
+use crate::domain::{Action, Dynamics, Form, PackError, Packed, Rules, State, StateError, Walks};
+use crate::mdp::{Leap, Mdp, action_to, each_action};
+use std::cell::{OnceCell, RefCell};
+
+/// Entries of tables that are looked at in a part of what makes bounds sharper.
+const ENTRIES: usize = 16;
 
 /// A goal to be earned from an initial state, under the rules of a world.
 #[derive(Clone, Debug)]
@@ -13,6 +18,12 @@ pub struct Task {
     dynamics: Dynamics,
     goal: Compiled,
     start: Packed,
+    /// Whether plans are made of leaps: walks that end in moving an object.
+    has_leaps: bool,
+    walks: RefCell<Walks>,
+    /// What makes the bound sharper while it is being made, and once it is.
+    making: RefCell<Option<Pairs>>,
+    pairs: OnceCell<Option<Pairs>>,
 }
 
 /// Why there is no task.
@@ -36,7 +47,20 @@ impl Task {
         let dynamics = Dynamics::new(initial, rules)?;
         let start = dynamics.pack(initial)?;
         let goal = Compiled::new(goal, &dynamics, initial, dynamics.quotient(start));
-        Ok(Self { dynamics, goal, start })
+        let Rules { form, chances, .. } = rules;
+        let has_leaps = form == Form::Compass
+            && dynamics.is_deterministic(start)
+            && [chances.slip(), chances.loss()] == [0.0; 2];
+        let making = if has_leaps { goal.pairs(&dynamics, start) } else { None };
+        Ok(Self {
+            dynamics,
+            goal,
+            start,
+            has_leaps,
+            walks: RefCell::default(),
+            making: RefCell::new(making),
+            pairs: OnceCell::new(),
+        })
     }
 
     /// The world's moves.
@@ -118,11 +142,81 @@ impl Mdp for Task {
     }
 
     fn heuristic(&self, state: Packed) -> Option<u32> {
-        self.goal.bound(&self.dynamics, state)
+        match self.pairs.get() {
+            Some(Some(pairs)) => self.goal.bound_with(pairs, &self.dynamics, state),
+            _ => self.goal.bound(&self.dynamics, state),
+        }
     }
 
     fn most(&self, state: Packed, discount: f64) -> f64 {
         self.goal.most(&self.dynamics, state, discount)
+    }
+
+    fn sharpen(&self, n: usize) -> bool {
+        let mut making = self.making.borrow_mut();
+        if making.as_mut().is_none_or(|pairs| pairs.step(n.saturating_mul(ENTRIES))) {
+            // Said twice, it is the same.
+            self.pairs.get_or_init(|| making.take());
+        }
+        self.pairs.get().is_some()
+    }
+
+    fn family(&self, state: Packed) -> (Packed, u32) {
+        self.dynamics.without_agent(state)
+    }
+
+    fn estimate(&self, state: Packed) -> Option<u32> {
+        self.goal.estimate(&self.dynamics, state)
+    }
+
+    fn n_parts(&self) -> usize {
+        self.goal.n_parts()
+    }
+
+    fn part(&self, index: usize, state: Packed) -> Option<u32> {
+        self.goal.part(index, &self.dynamics, state)
+    }
+
+    fn parts(&self, state: Packed) -> Vec<(u32, usize)> {
+        self.goal.parts(&self.dynamics, state)
+    }
+
+    fn leaps(&self, state: Packed, out: &mut Vec<Leap<Packed>>) {
+        if !self.has_leaps {
+            return each_action(self, state, out);
+        }
+        let mut walks = self.walks.borrow_mut();
+        walks.explore(&self.dynamics, state);
+        out.extend(walks.carries(&self.dynamics, state).map(|carry| Leap {
+            state: carry.state,
+            cost: carry.cost,
+            is_sure: true,
+        }));
+        if self.goal.speaks_of_robot() {
+            let there = |(place, cost)| {
+                let heading = self.dynamics.heading(state);
+                let state = self.dynamics.with_agent(state, place, heading)?;
+                self.is_terminal(state).then_some(Leap {
+                    state: self.dynamics.quotient(state),
+                    cost,
+                    is_sure: true,
+                })
+            };
+            out.extend(walks.reached().skip(1).find_map(there));
+        }
+    }
+
+    fn way(&self, from: Packed, to: Packed, out: &mut Vec<Action>) {
+        if !self.has_leaps {
+            return out.extend(action_to(self, from, to));
+        }
+        let mut walks = self.walks.borrow_mut();
+        walks.explore(&self.dynamics, from);
+        let carries = walks.carries(&self.dynamics, from).filter(|carry| carry.state == to);
+        match carries.min_by_key(|carry| carry.cost) {
+            Some(carry) => walks.carry(&self.dynamics, carry, out),
+            None => walks.walk(&self.dynamics, self.dynamics.agent(to), out),
+        }
     }
 }
 

@@ -9,7 +9,7 @@ pub mod rollout;
 pub mod check;
 
 pub use check::{Fault, check, check_draws};
-pub use problem::{Mdp, power};
+pub use problem::{Leap, Mdp, action_to, each_action, power};
 pub use rollout::{RolloutReport, RolloutSettings, Rollouts, wilson};
 pub use simulate::{sample, simulate};
 pub use solver::{Budget, DISCOUNT, Outcome, Policy, Progress, Settings, Solver};

@@ -85,6 +85,8 @@ pub struct Progress {
     pub lower: f64,
     /// See `lower`.
     pub upper: f64,
+    /// No plan from the initial state is shorter, as far as is proved.
+    pub least: u32,
 }
 
 /// What to do where.

@@ -1,6 +1,6 @@
 //! The same problem begun elsewhere: what a robot plans in when the world did not do what it expected.
 
-use super::problem::Mdp;
+use super::problem::{Leap, Mdp};
 
 /// A problem that begins in another state.
 #[derive(Clone, Copy, Debug)]
@@ -37,5 +37,29 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     }
     fn most(&self, state: P::State, discount: f64) -> f64 {
         self.problem.most(state, discount)
+    }
+    fn family(&self, state: P::State) -> (P::State, u32) {
+        self.problem.family(state)
+    }
+    fn estimate(&self, state: P::State) -> Option<u32> {
+        self.problem.estimate(state)
+    }
+    fn n_parts(&self) -> usize {
+        self.problem.n_parts()
+    }
+    fn part(&self, index: usize, state: P::State) -> Option<u32> {
+        self.problem.part(index, state)
+    }
+    fn parts(&self, state: P::State) -> Vec<(u32, usize)> {
+        self.problem.parts(state)
+    }
+    fn sharpen(&self, n: usize) -> bool {
+        self.problem.sharpen(n)
+    }
+    fn leaps(&self, state: P::State, out: &mut Vec<Leap<P::State>>) {
+        self.problem.leaps(state, out);
+    }
+    fn way(&self, from: P::State, to: P::State, out: &mut Vec<P::Action>) {
+        self.problem.way(from, to, out);
     }
 }

@@ -3,14 +3,9 @@
 //! V = R + γ p V + γ Σ p' V' is V = (R + γ Σ p' V') / (1 − γ p), so slips cost no iterations.
 //! Invariant: what a state and its rows are depends on the problem and on the order of calls only.
 
+use super::numbers::{Id, Numbers};
 use crate::mdp::Mdp;
-use hashbrown::HashTable;
-use rustc_hash::FxBuildHasher;
-use std::hash::BuildHasher;
 use std::ops::Range;
-
-/// The number of a state.
-pub(super) type Id = u32;
 
 /// The bound of a state from which nothing terminal can be reached.
 pub(super) const DEAD: u32 = u32::MAX;
@@ -24,7 +19,7 @@ pub(super) struct Graph<P: Mdp> {
     problem: P,
     discount: f64,
     states: Vec<P::State>,
-    index: HashTable<Id>,
+    numbers: Numbers<P>,
     /// Lower bounds on the actions to a terminal state: 0 for these alone, [`DEAD`] for never.
     bounds: Vec<u32>,
     /// The rows of each state; none before it is expanded.
@@ -40,13 +35,14 @@ pub(super) struct Graph<P: Mdp> {
 }
 
 impl<P: Mdp> Graph<P> {
-    /// The initial state alone, as number 0.
-    pub(super) fn new(problem: P, discount: f64) -> Self {
+    /// The initial state alone, as number 0. For who meets nearly all states, numbers are in blocks of 2 to the power of
+    /// `bits`.
+    pub(super) fn new(problem: P, discount: f64, bits: u32) -> Self {
         let mut graph = Self {
             problem,
             discount,
             states: Vec::new(),
-            index: HashTable::new(),
+            numbers: Numbers::new(bits),
             bounds: Vec::new(),
             rows: Vec::new(),
             actions: Vec::new(),
@@ -91,6 +87,11 @@ impl<P: Mdp> Graph<P> {
         self.bounds[id as usize]
     }
 
+    /// What [`Graph::bound`] says of the initial state; 0 when nothing can be reached.
+    pub(super) fn least(&self) -> u32 {
+        if self.is_dead(0) { 0 } else { self.bound(0) }
+    }
+
     /// What a state that is not terminal is worth at most.
     pub(super) fn most(&self, id: Id) -> f64 {
         self.problem.most(self.state(id), self.discount)
@@ -98,9 +99,7 @@ impl<P: Mdp> Graph<P> {
 
     /// The number of a state that was met.
     pub(super) fn find(&self, state: P::State) -> Option<Id> {
-        self.index
-            .find(FxBuildHasher.hash_one(state), |&id| self.states[id as usize] == state)
-            .copied()
+        self.numbers.find(&self.problem, state)
     }
 
     /// The rows of a state; none unless it was expanded, and none that leaves it where it is or leads to death alone.
@@ -210,12 +209,11 @@ impl<P: Mdp> Graph<P> {
 
     /// The number of a state, which it is given if it has none.
     fn intern(&mut self, state: P::State) -> Id {
-        let key = FxBuildHasher.hash_one(state);
-        let states = &self.states;
-        if let Some(&id) = self.index.find(key, |&id| states[id as usize] == state) {
+        let next = self.states.len() as Id;
+        let id = self.numbers.number(&self.problem, state, next);
+        if id < next {
             return id;
         }
-        let id = states.len() as Id;
         let bound = if self.problem.is_terminal(state) {
             0
         } else {
@@ -224,8 +222,6 @@ impl<P: Mdp> Graph<P> {
         self.states.push(state);
         self.bounds.push(bound);
         self.rows.push(0..0);
-        let states = &self.states;
-        self.index.insert_unique(key, id, |&id| FxBuildHasher.hash_one(states[id as usize]));
         id
     }
 }

@@ -5,12 +5,19 @@
 //! Invariants: lower ≤ V ≤ upper always; the policy is greedy in the lower bounds, so it earns at least those.
 //! Nothing is drawn at random. A step backs up one state.
 
-use super::graph::{Graph, Id};
+use super::astar::AStar;
+use super::graph::Graph;
+use super::numbers::Id;
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 use std::ops::Range;
 
 /// A state is solved when its gap is at most this share of ε, so that rounding cannot keep ε itself out of reach.
 const STRICTER: f64 = 0.9;
+
+/// Steps after which a way is looked for on which all goes well, if none was found: a policy that may get there.
+const LOST: u64 = 2_000;
+/// States that this looks at.
+const SCOUTED: u64 = 50_000;
 
 /// A solver at work.
 #[derive(Clone)]
@@ -34,15 +41,18 @@ pub struct Lrtdp<P: Mdp> {
     residual: f64,
     steps: u64,
     backups: u64,
+    /// Looks for a way on which all goes well.
+    scout: Option<Box<AStar<P>>>,
+    has_scouted: bool,
     outcome: Option<Outcome>,
 }
 
-impl<P: Mdp> Lrtdp<P> {
+impl<P: Mdp + Clone> Lrtdp<P> {
     /// A solver that has done nothing yet.
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
         let mut solver = Self {
-            graph: Graph::new(problem, settings.discount),
+            graph: Graph::new(problem, settings.discount, 0),
             settings,
             upper: Vec::new(),
             lower: Vec::new(),
@@ -56,6 +66,8 @@ impl<P: Mdp> Lrtdp<P> {
             residual: f64::NAN,
             steps: 0,
             backups: 0,
+            scout: None,
+            has_scouted: false,
             outcome: None,
         };
         solver.bound_new_states();
@@ -108,9 +120,23 @@ impl<P: Mdp> Lrtdp<P> {
                 Outcome::Budget
             });
         }
+        if let Some(scout) = &mut self.scout {
+            self.steps += 1;
+            if scout.step(1).is_some() {
+                self.follow();
+            }
+            return None;
+        }
         let Some((id, rest)) = self.path.last_mut() else {
             if self.is_solved(0) {
                 return Some(self.ended());
+            }
+            if self.steps >= LOST && self.lower[0] == 0.0 && !self.has_scouted {
+                self.has_scouted = true;
+                let budget = self.settings.budget;
+                let settings = self.settings.with_budget(SCOUTED, budget.states);
+                self.scout = Some(Box::new(AStar::hopeful(self.graph.problem().clone(), settings)));
+                return None;
             }
             self.residual = if self.trials > 0 { self.change } else { f64::NAN };
             self.change = 0.0;
@@ -130,6 +156,33 @@ impl<P: Mdp> Lrtdp<P> {
         None
     }
 
+    /// Expands the states of the way that was found, and backs them up from its end.
+    fn follow(&mut self) {
+        let Some(plan) = self.scout.take().and_then(|scout| scout.plan().cloned()) else { return };
+        let mut way = Vec::new();
+        for state in plan.states {
+            let Some(id) = self.graph.find(state) else { break };
+            if self.graph.is_full(self.settings.budget.states) || self.graph.is_terminal(id) {
+                break;
+            }
+            if !self.is_expanded[id as usize] {
+                self.open(id);
+            }
+            way.push(id);
+        }
+        for id in way.into_iter().rev() {
+            self.back_up(id);
+        }
+    }
+
+    /// Expands a state.
+    fn open(&mut self, id: Id) {
+        self.graph.expand(id);
+        self.bound_new_states();
+        self.is_expanded[id as usize] = true;
+        self.n_open -= 1;
+    }
+
     /// Meets a state: backs it up and sets out along its best action.
     fn go_down(&mut self, id: Id) -> Option<Outcome> {
         self.met[id as usize] = self.trials;
@@ -137,10 +190,7 @@ impl<P: Mdp> Lrtdp<P> {
             if self.graph.is_full(self.settings.budget.states) {
                 return Some(Outcome::Budget);
             }
-            self.graph.expand(id);
-            self.bound_new_states();
-            self.is_expanded[id as usize] = true;
-            self.n_open -= 1;
+            self.open(id);
             if self.n_open == 0 && !self.has_end {
                 // That was all that can be reached.
                 self.upper.fill(0.0);
@@ -203,7 +253,7 @@ impl<P: Mdp> Policy<P::State, P::Action> for Lrtdp<P> {
     }
 }
 
-impl<P: Mdp> Solver<P::State, P::Action> for Lrtdp<P> {
+impl<P: Mdp + Clone> Solver<P::State, P::Action> for Lrtdp<P> {
     fn name(&self) -> &'static str {
         "lrtdp"
     }
@@ -228,6 +278,7 @@ impl<P: Mdp> Solver<P::State, P::Action> for Lrtdp<P> {
             residual: self.residual,
             lower,
             upper: lower + self.gap(0),
+            least: self.graph.least(),
         }
     }
 }

@@ -5,7 +5,8 @@
 //! averages, not bounds. A step begins a trial or tries an action.
 //! Invariant: the same problem and seed give the same tree on every machine.
 
-use super::graph::{Graph, Id};
+use super::graph::Graph;
+use super::numbers::Id;
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver, sample};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -43,7 +44,7 @@ impl<P: Mdp> Uct<P> {
     /// A solver that has done nothing yet.
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
-        let graph = Graph::new(problem, settings.discount);
+        let graph = Graph::new(problem, settings.discount, 0);
         let outcome = match (graph.is_terminal(0), graph.is_dead(0)) {
             (true, _) => Some(Outcome::Solved),
             (_, true) => Some(Outcome::Unreachable),
@@ -296,6 +297,14 @@ impl<P: Mdp> Solver<P::State, P::Action> for Uct<P> {
             _ => (0.0, self.settings.worth(self.graph.bound(0))),
         };
         let (states, residual) = (self.graph.len(), f64::NAN);
-        Progress { states, steps: self.steps, backups: self.steps, residual, lower, upper }
+        Progress {
+            states,
+            steps: self.steps,
+            backups: self.steps,
+            residual,
+            lower,
+            upper,
+            least: self.graph.least(),
+        }
     }
 }

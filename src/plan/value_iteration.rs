@@ -3,9 +3,12 @@
 //! It ends when γ / (1 − γ) times the largest change of a sweep is at most ε. Sure worlds are solved by one sweep.
 //! Values are discounted rewards in [0, 1]. A step expands, orders or backs up one state.
 
-use super::graph::{Graph, Id};
+use super::graph::Graph;
+use super::numbers::Id;
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 
+/// States are numbered in blocks of 2 to this power: a line of the cache.
+const BLOCK: u32 = 4;
 /// No edge.
 const NONE: u32 = u32::MAX;
 
@@ -57,7 +60,7 @@ impl<P: Mdp> ValueIteration<P> {
     /// A solver that has done nothing yet.
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
-        let graph = Graph::new(problem, settings.discount);
+        let graph = Graph::new(problem, settings.discount, BLOCK);
         Self {
             upper: if graph.is_dead(0) { 0.0 } else { settings.worth(graph.bound(0)) },
             graph,
@@ -248,6 +251,7 @@ impl<P: Mdp> Solver<P::State, P::Action> for ValueIteration<P> {
             residual: self.residual,
             lower: self.value(self.graph.state(0)).unwrap_or(0.0),
             upper: self.upper,
+            least: self.graph.least(),
         }
     }
 }

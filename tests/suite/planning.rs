@@ -1,6 +1,8 @@
 //! Plans are shortest: against the conformance file, and on random worlds against a breadth-first search
 //! that has its own, plain idea of how the world moves.
 
+#[path = "planning/anytime.rs"]
+mod anytime;
 #[path = "planning/bounds.rs"]
 mod bounds;
 #[path = "planning/chance.rs"]

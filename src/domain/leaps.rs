@@ -1,0 +1,202 @@
+//! What a robot can do next in a world without chance, in compass form: walk somewhere and move an object by one cell.
+//! Walks alone lead nowhere that such a leap does not leave from, but where a goal speaks of the robot. One breadth-first
+//! search over the free cells finds the shortest of all of them.
+
+use super::dynamics::Dynamics;
+use super::layout::{NOWHERE, Place};
+use super::object::Direction;
+use super::packing::Packed;
+use super::rules::Action;
+
+/// Not reached, or nothing in the way.
+const NONE: u16 = u16::MAX;
+/// In the way of everything: a door that is closed.
+const CLOSED: u16 = NONE - 1;
+
+/// What the robot can walk to from a state, kept for the next state.
+#[derive(Clone, Debug, Default)]
+pub struct Walks {
+    /// Steps to each place, or [`NONE`].
+    steps: Vec<u16>,
+    /// The places reached, nearest first.
+    reached: Vec<Place>,
+    /// The object at each place, [`CLOSED`] or [`NONE`].
+    objects: Vec<u16>,
+    /// The places of doors.
+    doors: Vec<Place>,
+    /// Where the robot stands, which way, before an object.
+    contacts: Vec<(Place, Direction, u16)>,
+}
+
+/// A walk that ends in moving an object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Carry {
+    /// Where that leads, as the [`Dynamics::quotient`].
+    pub state: Packed,
+    /// Actions in all.
+    pub cost: u32,
+    /// Where the robot stands before the object at the end of the walk, and on which side the object is.
+    stand: (Place, Direction),
+    action: Action,
+}
+
+impl Walks {
+    /// Finds what can be walked to.
+    pub fn explore(&mut self, dynamics: &Dynamics, state: Packed) {
+        let layout = dynamics.layout();
+        if self.steps.len() != layout.len() {
+            self.doors = layout.places().filter(|&place| layout.door(place).is_some()).collect();
+        }
+        self.steps.clear();
+        self.steps.resize(layout.len(), NONE);
+        self.objects.clear();
+        self.objects.resize(layout.len(), NONE);
+        for &place in &self.doors {
+            if !dynamics.opens(state, place) {
+                self.objects[usize::from(place)] = CLOSED;
+            }
+        }
+        for object in 0..dynamics.n_objects() {
+            self.objects[usize::from(dynamics.object(state, object))] = object as u16;
+        }
+        self.reached.clear();
+        self.contacts.clear();
+        let start = dynamics.agent(state);
+        self.steps[usize::from(start)] = 0;
+        self.reached.push(start);
+        let mut at = 0;
+        while let Some(&place) = self.reached.get(at) {
+            at += 1;
+            let next_steps = self.steps[usize::from(place)] + 1;
+            for (next, &direction) in layout.neighbours(place).into_iter().zip(Direction::ALL) {
+                if next == NOWHERE {
+                    continue;
+                }
+                let i = usize::from(next);
+                match self.objects[i] {
+                    NONE if self.steps[i] == NONE => {
+                        self.steps[i] = next_steps;
+                        self.reached.push(next);
+                    }
+                    NONE | CLOSED => {}
+                    object => self.contacts.push((place, direction, object)),
+                }
+            }
+        }
+    }
+
+    /// The places that can be walked to, nearest first, each with the steps; the robot's own comes first.
+    pub fn reached(&self) -> impl Iterator<Item = (Place, u32)> + '_ {
+        self.reached.iter().map(|&place| (place, u32::from(self.steps[usize::from(place)])))
+    }
+
+    /// All ways to move an object next, after [`Walks::explore`] of the same state.
+    pub fn carries<'a>(
+        &'a self,
+        dynamics: &'a Dynamics,
+        state: Packed,
+    ) -> impl Iterator<Item = Carry> + 'a {
+        self.contacts.iter().flat_map(move |&contact| self.at(dynamics, state, contact)).flatten()
+    }
+
+    /// To push what is there, and to pull it.
+    fn at(
+        &self,
+        dynamics: &Dynamics,
+        state: Packed,
+        (place, side, object): (Place, Direction, u16),
+    ) -> [Option<Carry>; 2] {
+        let layout = dynamics.layout();
+        let object = usize::from(object);
+        let ahead = layout.neighbour(place, side);
+        if !dynamics.rules().movable.allows(object) || !dynamics.opens(state, ahead) {
+            return [None, None];
+        }
+        let beyond = layout.neighbour(ahead, side);
+        let is_free = beyond != NOWHERE
+            && self.objects[usize::from(beyond)] == NONE
+            && dynamics.opens(state, beyond);
+        let steps = u32::from(self.steps[usize::from(place)]);
+        let stand = (place, side);
+        let push = is_free.then(|| Carry {
+            state: dynamics.moved(state, object, [ahead, beyond], side),
+            cost: steps + 1,
+            stand,
+            action: step(side),
+        });
+        let may_pull = dynamics.rules().pull && dynamics.opens(state, place);
+        let faced = self.facing(dynamics, state, stand, is_free).filter(|_| may_pull);
+        let pull = faced.map(|n| Carry {
+            state: dynamics.moved(state, object, [ahead, place], side.opposite()),
+            cost: n + 1,
+            stand,
+            action: Action::Pull,
+        });
+        [push, pull]
+    }
+
+    /// The actions to stand at a place and face what is on a side of it: by arriving that way, or by running into it when
+    /// it does not give way.
+    fn facing(
+        &self,
+        dynamics: &Dynamics,
+        state: Packed,
+        (place, side): (Place, Direction),
+        gives_way: bool,
+    ) -> Option<u32> {
+        let steps = u32::from(self.steps[usize::from(place)]);
+        if steps == 0 && dynamics.heading(state) == side {
+            return Some(0);
+        }
+        let turned = (!gives_way).then_some(steps + 1);
+        let back = dynamics.layout().neighbour(place, side.opposite());
+        let came = (back != NOWHERE)
+            .then(|| self.steps[usize::from(back)])
+            .filter(|&steps| steps != NONE)
+            .map(|steps| u32::from(steps) + 1);
+        turned.into_iter().chain(came).min()
+    }
+
+    /// Appends the actions of a walk to a place that was reached.
+    pub fn walk(&self, dynamics: &Dynamics, to: Place, out: &mut Vec<Action>) {
+        let layout = dynamics.layout();
+        let from = out.len();
+        let mut place = to;
+        while self.steps[usize::from(place)] > 0 {
+            let nearer = |side: &&Direction| {
+                let next = layout.neighbour(place, **side);
+                next != NOWHERE && self.steps[usize::from(next)] < self.steps[usize::from(place)]
+            };
+            let Some(&side) = Direction::ALL.iter().find(nearer) else { break };
+            out.push(step(side.opposite()));
+            place = layout.neighbour(place, side);
+        }
+        out[from..].reverse();
+    }
+
+    /// Appends the actions that end in moving an object.
+    pub fn carry(&self, dynamics: &Dynamics, carry: Carry, out: &mut Vec<Action>) {
+        let (place, side) = carry.stand;
+        let steps = u32::from(self.steps[usize::from(place)]);
+        if carry.action != Action::Pull || carry.cost == 1 {
+            self.walk(dynamics, place, out);
+        } else {
+            let back = dynamics.layout().neighbour(place, side.opposite());
+            let came = (back != NOWHERE).then(|| u32::from(self.steps[usize::from(back)]));
+            let arrives = came.is_some_and(|steps| steps + 2 == carry.cost);
+            self.walk(dynamics, if arrives { back } else { place }, out);
+            debug_assert!(arrives || steps + 2 == carry.cost, "one of the two ways to face it");
+            out.push(step(side));
+        }
+        out.push(carry.action);
+    }
+}
+
+const fn step(side: Direction) -> Action {
+    match side {
+        Direction::North => Action::North,
+        Direction::South => Action::South,
+        Direction::East => Action::East,
+        Direction::West => Action::West,
+    }
+}
