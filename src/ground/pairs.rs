@@ -75,7 +75,7 @@ impl Pairs {
         kinds
     }
 
-    /// Looks at no more than `n` entries; whether all tables are made.
+    /// Looks at no more than `n` entries, of one table; whether all tables are made.
     pub(super) fn step(&mut self, n: usize) -> bool {
         if self.at == self.queue.len() {
             let kinds = self.kinds();
@@ -86,9 +86,9 @@ impl Pairs {
             };
             self.begin(kind);
         }
-        let end = self.queue.len().min(self.at.saturating_add(n));
-        while self.at < end {
-            self.look(self.queue[self.at]);
+        for _ in 0..n {
+            let Some(&entry) = self.queue.get(self.at) else { break };
+            self.look(entry);
             self.at += 1;
         }
         false

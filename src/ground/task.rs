@@ -152,9 +152,9 @@ impl Mdp for Task {
         self.goal.most(&self.dynamics, state, discount)
     }
 
-    fn sharpen(&self, n: usize) -> bool {
+    fn sharpen(&self) -> bool {
         let mut making = self.making.borrow_mut();
-        if making.as_mut().is_none_or(|pairs| pairs.step(n.saturating_mul(ENTRIES))) {
+        if making.as_mut().is_none_or(|pairs| pairs.step(ENTRIES)) {
             // Said twice, it is the same.
             self.pairs.get_or_init(|| making.take());
         }

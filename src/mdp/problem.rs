@@ -59,10 +59,9 @@ pub trait Mdp {
         let _ = state;
         Vec::new()
     }
-    /// Does at most `n` parts more of what makes the heuristic sharper; whether nothing more can be done. What it says
+    /// Does a bounded part more of what makes the heuristic sharper; whether nothing more can be done. What it says
     /// changes only when it is done.
-    fn sharpen(&self, n: usize) -> bool {
-        let _ = n;
+    fn sharpen(&self) -> bool {
         true
     }
     /// Appends ways on from a state that is not terminal such that some shortest plan consists of them: each action
@@ -184,8 +183,8 @@ macro_rules! is_a_problem {
             fn parts(&self, state: Self::State) -> Vec<(u32, usize)> {
                 (**self).parts(state)
             }
-            fn sharpen(&self, n: usize) -> bool {
-                (**self).sharpen(n)
+            fn sharpen(&self) -> bool {
+                (**self).sharpen()
             }
             fn leaps(&self, state: Self::State, out: &mut Vec<Leap<Self::State>>) {
                 (**self).leaps(state, out);

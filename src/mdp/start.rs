@@ -53,8 +53,8 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     fn parts(&self, state: P::State) -> Vec<(u32, usize)> {
         self.problem.parts(state)
     }
-    fn sharpen(&self, n: usize) -> bool {
-        self.problem.sharpen(n)
+    fn sharpen(&self) -> bool {
+        self.problem.sharpen()
     }
     fn leaps(&self, state: P::State, out: &mut Vec<Leap<P::State>>) {
         self.problem.leaps(state, out);

@@ -75,8 +75,8 @@ impl<P: Mdp + Clone> AnyTime<P> {
 
     /// The shortest plan so far.
     #[must_use]
-    pub const fn plan(&self) -> Option<&Solution<P::State, P::Action>> {
-        self.plan.as_ref()
+    pub fn plan(&self) -> Option<&Solution<P::State, P::Action>> {
+        self.parts.as_ref().map_or(self.plan.as_ref(), |parts| parts.best())
     }
 
     /// A plan needs at least so many actions, as far as is proved.
@@ -97,27 +97,29 @@ impl<P: Mdp + Clone> AnyTime<P> {
     }
 
     fn length(&self) -> Option<u32> {
-        self.plan.as_ref().and_then(|plan| u32::try_from(plan.actions.len()).ok())
+        self.plan().and_then(|plan| u32::try_from(plan.actions.len()).ok())
     }
 
-    /// Does some steps more.
-    fn advance(&mut self, n: usize) -> Option<Outcome> {
+    /// Does one step more. All that ends a stage is looked at after each, so that it does not matter how many are asked
+    /// for at once.
+    fn advance(&mut self) -> Option<Outcome> {
         let (stage, most) = STAGES[self.stage];
-        let used = self.steps() - self.begun;
-        let most = usize::try_from(most.saturating_sub(used).min(self.left())).unwrap_or(n);
+        let is_spent = self.steps() - self.begun >= most || self.left() == 0;
         match (stage, &mut self.parts) {
             (Stage::Parts, Some(parts)) => {
-                let is_over = parts.step(n.min(most)) || most == 0;
-                if let Some(best) = parts.best() {
-                    self.plan = Some(best.clone());
+                let is_over = is_spent || parts.step();
+                if !is_over {
+                    return None;
                 }
-                if is_over { self.go_on() } else { None }
+                self.plan = parts.best().cloned();
+                self.go_on()
             }
             (Stage::Sharpen, _) => {
-                self.spent += n.min(most) as u64;
-                if self.problem.sharpen(n.min(most)) || most == 0 { self.go_on() } else { None }
+                let is_over = is_spent || self.problem.sharpen();
+                self.spent += u64::from(!is_over);
+                if is_over { self.go_on() } else { None }
             }
-            _ => match self.search.step(n) {
+            _ => match self.search.step(1) {
                 Some(outcome) => self.ended(outcome),
                 None => self.is_near().then_some(Outcome::Budget),
             },
@@ -176,7 +178,8 @@ impl<P: Mdp + Clone> AnyTime<P> {
             Stage::Greedy if self.plan.is_none() => (Guide::Guess(0, 1), settings),
             Stage::Parts => {
                 let most = self.settings;
-                self.parts = Some(Box::new(Parts::new(self.problem.clone(), most)));
+                let known = self.plan.clone();
+                self.parts = Some(Box::new(Parts::new(self.problem.clone(), most, known)));
                 (Guide::Bound, settings.with_budget(0, 0))
             }
             Stage::Greedy | Stage::Sharpen => (Guide::Bound, settings.with_budget(0, 0)),
@@ -188,11 +191,11 @@ impl<P: Mdp + Clone> AnyTime<P> {
 
 impl<P: Mdp + Clone> Policy<P::State, P::Action> for AnyTime<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
-        self.plan.as_ref().or(self.search.plan())?.action(state)
+        self.plan().or(self.search.plan())?.action(state)
     }
 
     fn value(&self, state: P::State) -> Option<f64> {
-        match (self.outcome, &self.plan) {
+        match (self.outcome, self.plan()) {
             (Some(Outcome::Solved), Some(plan)) if !self.problem.is_terminal(state) => {
                 Some(self.settings.worth(plan.left(state)?))
             }
@@ -206,13 +209,13 @@ impl<P: Mdp + Clone> Solver<P::State, P::Action> for AnyTime<P> {
         "astar"
     }
 
-    /// A step expands a state, or does a part of what makes bounds sharper.
+    /// A step takes a state in its turn, or does a part of what makes bounds sharper.
     fn step(&mut self, n: usize) -> Option<Outcome> {
-        let mut left = n;
-        while self.outcome.is_none() && left > 0 {
-            let part = left.min(1_000);
-            left -= part;
-            self.outcome = self.advance(part);
+        for _ in 0..n {
+            if self.outcome.is_some() {
+                break;
+            }
+            self.outcome = self.advance();
         }
         self.outcome
     }

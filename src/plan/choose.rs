@@ -178,13 +178,13 @@ impl<P: Mdp + Clone> Auto<P> {
             Why::Small => {
                 let states = left.budget.states.min(ENUMERABLE);
                 let small = reserved(left.with_budget(left.budget.steps, states), LAST_RESORT);
-                AnySolver::ValueIteration(Box::new(ValueIteration::new(problem, small)))
+                AnySolver::ValueIteration(Box::new(ValueIteration::whole(problem, small)))
             }
             Why::Large(_) => AnySolver::Lrtdp(Box::new(Lrtdp::new(problem, reserved(left, 2)))),
             Why::Undecided => {
                 let states = left.budget.states.min(PROVABLE);
                 let all = reserved(left.with_budget(left.budget.steps, states), LAST_RESORT);
-                AnySolver::ValueIteration(Box::new(ValueIteration::new(problem, all)))
+                AnySolver::ValueIteration(Box::new(ValueIteration::whole(problem, all)))
             }
             Why::Spent => AnySolver::Uct(Box::new(Uct::new(problem, left))),
         };
@@ -192,16 +192,15 @@ impl<P: Mdp + Clone> Auto<P> {
 
     /// What comes after the present solver, if it is not the last.
     fn next(&self, outcome: Option<Outcome>) -> Option<Why> {
-        if let AnySolver::ValueIteration(solver) = &self.chosen
-            && solver.is_partial()
-        {
-            return Some(match self.why {
-                Why::Undecided => Why::Spent,
-                _ => Why::Large(ENUMERABLE.min(self.settings.budget.states)),
-            });
-        }
+        let is_partial = match &self.chosen {
+            AnySolver::ValueIteration(solver) => solver.is_partial(),
+            _ => false,
+        };
         match outcome? {
             Outcome::Unfit => Some(Why::Small),
+            Outcome::Budget if is_partial && self.why == Why::Small => {
+                Some(Why::Large(ENUMERABLE.min(self.settings.budget.states)))
+            }
             Outcome::Budget if self.why != Why::Spent && self.progress().lower == 0.0 => {
                 Some(if matches!(self.why, Why::Large(_)) { Why::Undecided } else { Why::Spent })
             }
@@ -231,13 +230,10 @@ impl<P: Mdp + Clone> Solver<P::State, P::Action> for Auto<P> {
         self.chosen.name()
     }
 
+    /// A choice that proves wrong ends the step.
     fn step(&mut self, n: usize) -> Option<Outcome> {
-        // In parts, so that a choice that proves wrong is mended soon.
-        let mut left = n;
-        while self.outcome.is_none() && left > 0 {
-            let part = left.min(4_096);
-            left -= part;
-            let outcome = self.chosen.step(part);
+        if self.outcome.is_none() {
+            let outcome = self.chosen.step(n);
             match self.next(outcome) {
                 Some(why) => self.change(why),
                 None => self.outcome = outcome,

@@ -12,20 +12,30 @@ const PART: u64 = 3_000;
 pub(super) struct Parts<P: Mdp> {
     problem: P,
     settings: Settings,
-    /// What was begun: how to get there, and the parts that may come next, the best last.
-    begun: Vec<(Solution<P::State, P::Action>, Vec<usize>)>,
+    begun: Vec<Begun<P::State, P::Action>>,
     search: Option<Box<AStar<P>>>,
     /// States looked at before the present search.
     spent: u64,
     best: Option<Solution<P::State, P::Action>>,
 }
 
+/// A beginning of plans.
+struct Begun<S, A> {
+    way: Solution<S, A>,
+    /// The parts that may come next, the best last.
+    next: Vec<usize>,
+}
+
 impl<P: Mdp + Clone> Parts<P> {
-    /// Nothing done yet.
-    pub(super) fn new(problem: P, settings: Settings) -> Self {
+    /// Nothing done yet; plans must be shorter than the one that is known.
+    pub(super) fn new(
+        problem: P,
+        settings: Settings,
+        known: Option<Solution<P::State, P::Action>>,
+    ) -> Self {
         let start = Solution { actions: Vec::new(), states: vec![problem.initial()] };
         let mut parts =
-            Self { problem, settings, begun: Vec::new(), search: None, spent: 0, best: None };
+            Self { problem, settings, begun: Vec::new(), search: None, spent: 0, best: known };
         parts.open(start);
         parts
     }
@@ -40,21 +50,21 @@ impl<P: Mdp + Clone> Parts<P> {
         self.spent + self.search.as_ref().map_or(0, |search| search.expanded())
     }
 
-    /// Looks at no more than `n` states; whether all orders were tried that may be better.
-    pub(super) fn step(&mut self, n: usize) -> bool {
+    /// Looks at no more than one state; whether all orders were tried that may be better.
+    pub(super) fn step(&mut self) -> bool {
         if let Some(search) = &mut self.search {
-            let Some(outcome) = search.step(n) else { return false };
+            let Some(outcome) = search.step(1) else { return false };
             self.spent += search.expanded();
             let found = search.plan().filter(|_| outcome == Outcome::Solved).cloned();
             self.search = None;
-            if let (Some(way), Some((before, _))) = (found, self.begun.last()) {
-                let mut whole = before.clone();
-                whole.extend(&way);
+            if let (Some(rest), Some(before)) = (found, self.begun.last()) {
+                let mut whole = before.way.clone();
+                whole.extend(&rest);
                 self.open(whole);
             }
             return false;
         }
-        let Some((way, next)) = self.begun.last_mut() else { return true };
+        let Some(Begun { way, next }) = self.begun.last_mut() else { return true };
         let (Some(part), Some(&state)) = (next.pop(), way.states.last()) else {
             self.begun.pop();
             return false;
@@ -83,6 +93,6 @@ impl<P: Mdp + Clone> Parts<P> {
         let parts = self.problem.parts(state).into_iter().rev();
         let good = parts.filter(|(guess, _)| way.actions.len() + (*guess as usize) < most);
         let next = good.map(|(_, part)| part).collect();
-        self.begun.push((way, next));
+        self.begun.push(Begun { way, next });
     }
 }

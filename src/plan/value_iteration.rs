@@ -22,6 +22,8 @@ pub struct ValueIteration<P: Mdp> {
     cursor: usize,
     /// Whether the budget did not allow for all states.
     is_partial: bool,
+    /// Whether that is the end.
+    wants_all: bool,
     into: Into,
     /// States that can reach a terminal one, nearest first, terminal ones left out.
     order: Vec<Id>,
@@ -68,6 +70,7 @@ impl<P: Mdp> ValueIteration<P> {
             stage: Stage::Expand,
             cursor: 0,
             is_partial: false,
+            wants_all: false,
             into: Into::default(),
             order: Vec::new(),
             worth: Vec::new(),
@@ -78,6 +81,12 @@ impl<P: Mdp> ValueIteration<P> {
             sweeps: 0,
             outcome: None,
         }
+    }
+
+    /// A solver that ends as soon as there are more states than the budget allows.
+    #[must_use]
+    pub fn whole(problem: P, settings: Settings) -> Self {
+        Self { wants_all: true, ..Self::new(problem, settings) }
     }
 
     /// The problem that is solved.
@@ -110,17 +119,19 @@ impl<P: Mdp> ValueIteration<P> {
         }
         match self.stage {
             Stage::Expand => self.expand(),
-            Stage::Order => return self.order(),
-            Stage::Sweep => return self.back_up(),
+            Stage::Order => self.order(),
+            Stage::Sweep => self.back_up(),
         }
-        None
     }
 
     /// Expands the next state, and notes its edges at the states that they lead to.
-    fn expand(&mut self) {
+    fn expand(&mut self) -> Option<Outcome> {
         let all = self.graph.len();
         if self.cursor == all || self.graph.is_full(self.settings.budget.states) {
             self.is_partial = self.cursor < all;
+            if self.is_partial && self.wants_all {
+                return Some(Outcome::Budget);
+            }
             self.into.first.resize(all, NONE);
             self.into.is_ordered.resize(all, false);
             self.worth = vec![0.0; all];
@@ -129,12 +140,12 @@ impl<P: Mdp> ValueIteration<P> {
                 self.worth[id as usize] = 1.0;
             }
             (self.stage, self.cursor) = (Stage::Order, 0);
-            return;
+            return None;
         }
         let id = self.cursor as Id;
         self.cursor += 1;
         if self.graph.is_terminal(id) || self.graph.is_dead(id) {
-            return;
+            return None;
         }
         self.steps += 1;
         let first = self.graph.n_edges();
@@ -145,6 +156,7 @@ impl<P: Mdp> ValueIteration<P> {
             self.into.next.push((*head, id));
             *head = edge as u32;
         }
+        None
     }
 
     /// Adds the states that lead to the next one in order and were not there yet.

@@ -11,6 +11,8 @@ mod chance;
 mod forms;
 #[path = "planning/horizon.rs"]
 mod horizon;
+#[path = "planning/pump.rs"]
+mod pump;
 
 use groundling::domain::{
     Action, Cell, Direction, Lock, Plan, Rules, State, cell_at, generate, text,

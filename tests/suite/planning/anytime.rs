@@ -8,7 +8,7 @@ use groundling::mdp::{self, Leap, Mdp, Outcome, Settings, Solver};
 use groundling::plan::AnyTime;
 
 /// The first objects of a world, each to be in another room.
-fn bring(state: &State, n: usize) -> Goal {
+pub(crate) fn bring(state: &State, n: usize) -> Goal {
     let the = |a: &str, b: &str| {
         format!("(the:<<e,t>,e> (lambda $0:e (and:<t*,t> ({a}:<e,t> $0) ({b}:<e,t> $0))))")
     };
@@ -21,9 +21,10 @@ fn bring(state: &State, n: usize) -> Goal {
     goal(&format!("(and:<t*,t> {})", parts.join(" ")), state)
 }
 
+/// A task whose bounds are as sharp as they get.
 fn sharp(goal: &Goal, state: &State, rules: Rules) -> Task {
     let task = Task::new(goal, state, rules).unwrap();
-    while !task.sharpen(100) {}
+    while !task.sharpen() {}
     task
 }
 

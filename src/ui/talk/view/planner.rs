@@ -43,7 +43,7 @@ pub(super) fn planner(state: &State, shared: &Shared, act: &Callback<Action>) ->
                         <div><dt>{ text.took }</dt><dd data-testid="took">{ (text.milliseconds)(seconds) }</dd></div>
                     }
                     <div><dt>{ text.worth }</dt><dd>{ proved(work.bounds) }</dd></div>
-                    if let Some(percent) = shared.document.plan().and_then(|plan| over(plan)) {
+                    if let Some(percent) = shared.document.plan().and_then(over) {
                         <div><dt>{ text.length }</dt><dd data-testid="near">{ (text.near_shortest)(percent) }</dd></div>
                     }
                     if let Some(plan) = shared.document.plan() { if plan.replans > 0 {
