@@ -11,6 +11,7 @@ use crate::ui::talk::watch::state::Layer;
 use crate::ui::talk::watch::values::RUNS;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::{PlanText, Request, Runs};
+use std::rc::Rc;
 use yew::{Callback, Html, html};
 
 /// The planner's card.
@@ -43,7 +44,7 @@ pub(super) fn planner(state: &State, shared: &Shared, act: &Callback<Action>) ->
                         <div><dt>{ text.took }</dt><dd data-testid="took">{ (text.milliseconds)(seconds) }</dd></div>
                     }
                     <div><dt>{ text.worth }</dt><dd>{ proved(work.bounds) }</dd></div>
-                    if let Some(percent) = shared.document.plan().and_then(over) {
+                    if let Some(percent) = shared.document.plan().map(Rc::as_ref).and_then(over) {
                         <div><dt>{ text.length }</dt><dd data-testid="near">{ (text.near_shortest)(percent) }</dd></div>
                     }
                     if let Some(plan) = shared.document.plan() { if plan.replans > 0 {
