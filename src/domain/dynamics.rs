@@ -153,13 +153,6 @@ impl Dynamics {
         is_free.then_some(facing(moved, heading))
     }
 
-    /// What all states have in common that differ only in where the agent is, and where it is.
-    #[inline]
-    #[must_use]
-    pub fn without_agent(&self, packed: Packed) -> (Packed, u32) {
-        (packed.with(SMALL, self.width, 0), u32::from(self.agent(packed)))
-    }
-
     /// Where the object with this index is.
     #[inline]
     #[must_use]
@@ -258,6 +251,11 @@ impl Dynamics {
         let heading = if self.rules.pull { heading } else { Direction::North };
         let moved = packed.with(SMALL, self.width, u128::from(agent));
         facing(moved.with(self.object_shift(object), self.width, u128::from(to)), heading)
+    }
+
+    /// The state with the robot in a door that it found open, in compass form.
+    pub(super) fn through(&self, packed: Packed, door: Place, heading: Direction) -> Packed {
+        facing(self.agent_to(packed, door), heading)
     }
 
     /// What an action tries, before anything goes wrong.

@@ -5,12 +5,14 @@
 use super::compile::Compiled;
 use super::goal::Goal;
 use super::pairs::Pairs;
-use crate::domain::{Action, Dynamics, Form, PackError, Packed, Rules, State, StateError, Walks};
-use crate::mdp::{Leap, Mdp, action_to, each_action};
+use crate::domain::{
+    Action, Carry, Dynamics, Form, PackError, Packed, Rules, State, StateError, Walks,
+};
+use crate::mdp::{Leaps, Mdp, action_to, each_action};
 use std::cell::{OnceCell, RefCell};
 
 /// Entries of tables that are looked at in a part of what makes bounds sharper.
-const ENTRIES: usize = 16;
+const ENTRIES: usize = 200;
 
 /// A goal to be earned from an initial state, under the rules of a world.
 #[derive(Clone, Debug)]
@@ -18,8 +20,10 @@ pub struct Task {
     dynamics: Dynamics,
     goal: Compiled,
     start: Packed,
-    /// Whether plans are made of leaps: walks that end in moving an object.
+    /// Whether plans are made of leaps: walks that end in moving an object or in trying a door.
     has_leaps: bool,
+    /// Whether nothing goes wrong on them.
+    is_sure: bool,
     walks: RefCell<Walks>,
     /// What makes the bound sharper while it is being made, and once it is.
     making: RefCell<Option<Pairs>>,
@@ -48,15 +52,17 @@ impl Task {
         let start = dynamics.pack(initial)?;
         let goal = Compiled::new(goal, &dynamics, initial, dynamics.quotient(start));
         let Rules { form, chances, .. } = rules;
-        let has_leaps = form == Form::Compass
+        let has_leaps = form == Form::Compass && chances.slip() < 1.0;
+        let is_sure = has_leaps
             && dynamics.is_deterministic(start)
             && [chances.slip(), chances.loss()] == [0.0; 2];
-        let making = if has_leaps { goal.pairs(&dynamics, start) } else { None };
+        let making = if is_sure { goal.pairs(&dynamics, start) } else { None };
         Ok(Self {
             dynamics,
             goal,
             start,
             has_leaps,
+            is_sure,
             walks: RefCell::default(),
             making: RefCell::new(making),
             pairs: OnceCell::new(),
@@ -104,6 +110,25 @@ impl Task {
             states.push(self.dynamics.unpack(packed));
         }
         states
+    }
+}
+
+impl Task {
+    /// Appends what may come of the last action of a carry; where it is taken.
+    fn ends(
+        &self,
+        walks: &Walks,
+        state: Packed,
+        carry: Carry,
+        out: &mut Vec<(Packed, f64)>,
+    ) -> Packed {
+        if self.is_sure {
+            out.push((carry.state, 1.0));
+            return state;
+        }
+        let stand = walks.stand(&self.dynamics, state, carry);
+        self.successors(stand, carry.action, out);
+        self.dynamics.quotient(stand)
     }
 }
 
@@ -161,10 +186,6 @@ impl Mdp for Task {
         self.pairs.get().is_some()
     }
 
-    fn family(&self, state: Packed) -> (Packed, u32) {
-        self.dynamics.without_agent(state)
-    }
-
     fn estimate(&self, state: Packed) -> Option<u32> {
         self.goal.estimate(&self.dynamics, state)
     }
@@ -181,28 +202,30 @@ impl Mdp for Task {
         self.goal.parts(&self.dynamics, state)
     }
 
-    fn leaps(&self, state: Packed, out: &mut Vec<Leap<Packed>>) {
+    fn leaps(&self, state: Packed, out: &mut Leaps<Packed, Action>) {
         if !self.has_leaps {
             return each_action(self, state, out);
         }
+        let slip = self.dynamics.rules().chances.slip();
         let mut walks = self.walks.borrow_mut();
         walks.explore(&self.dynamics, state);
-        out.extend(walks.carries(&self.dynamics, state).map(|carry| Leap {
-            state: carry.state,
-            cost: carry.cost,
-            is_sure: true,
-        }));
+        for carry in walks.carries(&self.dynamics, state) {
+            let here = self.ends(&walks, state, carry, &mut out.ends);
+            out.close(walks.first(&self.dynamics, carry), carry.cost, slip, here);
+        }
         if self.goal.speaks_of_robot() {
             let there = |(place, cost)| {
                 let heading = self.dynamics.heading(state);
-                let state = self.dynamics.with_agent(state, place, heading)?;
-                self.is_terminal(state).then_some(Leap {
-                    state: self.dynamics.quotient(state),
-                    cost,
-                    is_sure: true,
-                })
+                let there = self.dynamics.with_agent(state, place, heading)?;
+                self.is_terminal(there).then_some((place, cost, self.dynamics.quotient(there)))
             };
-            out.extend(walks.reached().skip(1).find_map(there));
+            if let Some((place, cost, there)) = walks.reached().skip(1).find_map(there) {
+                out.ends.push((there, 1.0 - slip));
+                if slip > 0.0 {
+                    out.ends.push((state, slip));
+                }
+                out.close(walks.toward(place), cost, slip, state);
+            }
         }
     }
 
@@ -212,7 +235,13 @@ impl Mdp for Task {
         }
         let mut walks = self.walks.borrow_mut();
         walks.explore(&self.dynamics, from);
-        let carries = walks.carries(&self.dynamics, from).filter(|carry| carry.state == to);
+        let mut ends = Vec::new();
+        let mut leads = |carry: &Carry| {
+            ends.clear();
+            self.ends(&walks, from, *carry, &mut ends);
+            ends.iter().any(|end| end.0 == to)
+        };
+        let carries = walks.carries(&self.dynamics, from).filter(|carry| leads(carry));
         match carries.min_by_key(|carry| carry.cost) {
             Some(carry) => walks.carry(&self.dynamics, carry, out),
             None => walks.walk(&self.dynamics, self.dynamics.agent(to), out),

@@ -1,6 +1,7 @@
 //! A goal-directed Markov decision process with finitely many actions: reward 1 on entering a
 //! terminal state, 0 otherwise (Williams et al., Section III).
 
+use super::leap::{Leaps, power};
 use std::hash::Hash;
 use std::rc::Rc;
 
@@ -36,11 +37,6 @@ pub trait Mdp {
         self.heuristic(state).map_or(0.0, |n| power(discount, n.saturating_sub(1)))
     }
 
-    /// A state as a member of a family, with its number there: states that lie near each other have one family and
-    /// numbers that are near. No two states have both in common.
-    fn family(&self, state: Self::State) -> (Self::State, u32) {
-        (state, 0)
-    }
     /// A guess at the number of actions from `state`, nearer to it than the heuristic and no bound; `None` as there.
     fn estimate(&self, state: Self::State) -> Option<u32> {
         self.heuristic(state)
@@ -64,9 +60,9 @@ pub trait Mdp {
     fn sharpen(&self) -> bool {
         true
     }
-    /// Appends ways on from a state that is not terminal such that some shortest plan consists of them: each action
-    /// alone, with the outcome from which least is left, unless the problem knows longer ones.
-    fn leaps(&self, state: Self::State, out: &mut Vec<Leap<Self::State>>) {
+    /// Appends ways on from a state that is not terminal such that some best policy takes no others: each action alone,
+    /// unless the problem knows longer ones. A terminal state is on the way of none.
+    fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State, Self::Action>) {
         each_action(self, state, out);
     }
     /// Appends the actions of the shortest leap from one state to another.
@@ -76,66 +72,26 @@ pub trait Mdp {
 }
 
 /// The leaps of a problem that knows none but its actions.
-pub fn each_action<P: Mdp + ?Sized>(problem: &P, state: P::State, out: &mut Vec<Leap<P::State>>) {
-    let mut buffer = Vec::new();
-    let leaps = problem.actions().iter();
-    out.extend(leaps.filter_map(|&action| hopeful(problem, state, action, &mut buffer)));
-}
-
-/// The action that leads from one state to another when all goes well.
-pub fn action_to<P: Mdp + ?Sized>(problem: &P, from: P::State, to: P::State) -> Option<P::Action> {
-    let mut buffer = Vec::new();
-    let leads = |action: &&P::Action| {
-        hopeful(problem, from, **action, &mut buffer).is_some_and(|leap| leap.state == to)
-    };
-    problem.actions().iter().find(leads).copied()
-}
-
-/// An action as a leap; `None` when it changes nothing.
-fn hopeful<P: Mdp + ?Sized>(
+pub fn each_action<P: Mdp + ?Sized>(
     problem: &P,
     state: P::State,
-    action: P::Action,
-    buffer: &mut Vec<(P::State, f64)>,
-) -> Option<Leap<P::State>> {
-    buffer.clear();
-    problem.successors(state, action, buffer);
-    let is_sure = buffer.len() == 1;
-    let left = |next: P::State| match problem.is_terminal(next) {
-        true => 0,
-        false => problem.heuristic(next).map_or(u32::MAX, |n| n.max(1)),
-    };
-    let best = if let [(only, _)] = buffer[..] {
-        Some(only)
-    } else {
-        buffer.iter().map(|o| o.0).filter(|&next| next != state).min_by_key(|&next| left(next))
-    };
-    best.filter(|&next| next != state).map(|state| Leap { state, cost: 1, is_sure })
-}
-
-/// A way from one state to another in a world where all goes well: one action or several.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Leap<S> {
-    /// Where it leads.
-    pub state: S,
-    /// How many actions it takes, at least 1.
-    pub cost: u32,
-    /// Whether nothing else can come of them.
-    pub is_sure: bool,
-}
-
-/// `base` to the power of `n` by squaring: the same on every machine.
-#[must_use]
-pub fn power(base: f64, n: u32) -> f64 {
-    let (mut result, mut square, mut left) = (1.0, base, n);
-    while left > 0 {
-        if left & 1 == 1 {
-            result *= square;
-        }
-        square *= square;
-        left >>= 1;
+    out: &mut Leaps<P::State, P::Action>,
+) {
+    for &action in problem.actions() {
+        problem.successors(state, action, &mut out.ends);
+        out.close(action, 1, 0.0, state);
     }
-    result
+}
+
+/// The action that may lead from one state to another.
+pub fn action_to<P: Mdp + ?Sized>(problem: &P, from: P::State, to: P::State) -> Option<P::Action> {
+    let mut ends = Vec::new();
+    let mut leads = |action: P::Action| {
+        ends.clear();
+        problem.successors(from, action, &mut ends);
+        ends.iter().any(|end| end.0 == to)
+    };
+    problem.actions().iter().copied().find(|&action| leads(action))
 }
 
 /// A problem that is lent, or shared, is a problem.
@@ -168,9 +124,6 @@ macro_rules! is_a_problem {
             fn most(&self, state: Self::State, discount: f64) -> f64 {
                 (**self).most(state, discount)
             }
-            fn family(&self, state: Self::State) -> (Self::State, u32) {
-                (**self).family(state)
-            }
             fn estimate(&self, state: Self::State) -> Option<u32> {
                 (**self).estimate(state)
             }
@@ -186,7 +139,7 @@ macro_rules! is_a_problem {
             fn sharpen(&self) -> bool {
                 (**self).sharpen()
             }
-            fn leaps(&self, state: Self::State, out: &mut Vec<Leap<Self::State>>) {
+            fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State, Self::Action>) {
                 (**self).leaps(state, out);
             }
             fn way(&self, from: Self::State, to: Self::State, out: &mut Vec<Self::Action>) {

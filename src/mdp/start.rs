@@ -1,6 +1,7 @@
 //! The same problem begun elsewhere: what a robot plans in when the world did not do what it expected.
 
-use super::problem::{Leap, Mdp};
+use super::leap::Leaps;
+use super::problem::Mdp;
 
 /// A problem that begins in another state.
 #[derive(Clone, Copy, Debug)]
@@ -38,9 +39,6 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     fn most(&self, state: P::State, discount: f64) -> f64 {
         self.problem.most(state, discount)
     }
-    fn family(&self, state: P::State) -> (P::State, u32) {
-        self.problem.family(state)
-    }
     fn estimate(&self, state: P::State) -> Option<u32> {
         self.problem.estimate(state)
     }
@@ -56,7 +54,7 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     fn sharpen(&self) -> bool {
         self.problem.sharpen()
     }
-    fn leaps(&self, state: P::State, out: &mut Vec<Leap<P::State>>) {
+    fn leaps(&self, state: P::State, out: &mut Leaps<P::State, P::Action>) {
         self.problem.leaps(state, out);
     }
     fn way(&self, from: P::State, to: P::State, out: &mut Vec<P::Action>) {

@@ -1,8 +1,9 @@
 //! Shortest plans where nothing is left to chance, and some plan at once where the shortest is far: any-time search
 //! (after Likhachev, Gordon and Thrun 2003, begun anew for each weight: Richter, Thayer and Ruml 2010). A short A*
-//! first; then a plan made of parts, or found greedily by the problem's guess; then A* with sharper bounds for plans that
-//! are shorter still, and for shorter plans under weights that fall, until there is none or enough was tried.
-//! Invariants: no plan is shorter than `least`; plans only grow shorter.
+//! first; then a plan made of parts, or found greedily by the problem's guess; then A* with sharper bounds, left now and
+//! then for shorter plans by parts and under weights that fall, until there is none or enough was tried.
+//! Invariants: no plan is shorter than `least`; plans only grow shorter; whatever ends a stage is looked at after every
+//! step, so that what is found does not depend on how many are asked for at once.
 
 use super::astar::{AStar, Guide, Solution};
 use super::parts::Parts;
@@ -10,31 +11,40 @@ use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 
 /// What is done in turn, and how many steps it may take.
 const STAGES: [(Stage, u64); 10] = [
-    (Stage::Search(Guide::Bound), 500),
-    (Stage::Parts, 20_000),
+    (Stage::Prove, 500),
+    (Stage::Parts, 30_000),
     (Stage::Greedy, 100_000),
     (Stage::Sharpen, u64::MAX),
-    (Stage::Search(Guide::Bound), 50_000),
+    (Stage::Prove, 50_000),
     (Stage::Parts, 100_000),
-    (Stage::Search(Guide::Guess(1, 2)), 20_000),
-    (Stage::Search(Guide::Guess(2, 3)), 40_000),
-    (Stage::Search(Guide::Guess(1, 1)), 40_000),
-    (Stage::Search(Guide::Bound), u64::MAX),
+    (Stage::Improve(1, 2), 20_000),
+    (Stage::Improve(2, 3), 40_000),
+    (Stage::Improve(1, 1), 40_000),
+    (Stage::Prove, u64::MAX),
 ];
-/// A plan that is no longer than the bound times this is near enough, once A* has tried for so many states.
+/// A plan that is no longer than the bound times this is near enough, after so many steps.
 const NEAR: (u64, u64) = (6, 5);
-const TRIED: u64 = 100_000;
+const TRIED: u64 = 200_000;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
-    /// For a plan that is shorter than the one that is known.
-    Search(Guide),
-    /// For some plan, if there is none.
-    Greedy,
+    /// A* goes on.
+    Prove,
     /// Plans made of parts.
     Parts,
-    /// The bounds are made sharper.
+    /// For some plan, if there is none.
+    Greedy,
+    /// The bounds are made sharper; A* begins anew if that is to be had.
     Sharpen,
+    /// For a shorter plan, the cost and the guess counted so often.
+    Improve(u32, u32),
+}
+
+/// What the present stage works with, besides A*.
+enum Work<P: Mdp> {
+    None,
+    Parts(Box<Parts<P>>),
+    Search(Box<AStar<P>>),
 }
 
 /// A solver at work.
@@ -42,14 +52,16 @@ pub struct AnyTime<P: Mdp> {
     problem: P,
     settings: Settings,
     stage: usize,
-    search: AStar<P>,
-    parts: Option<Box<Parts<P>>>,
-    /// Steps of the stages before, and of this one but for searches.
+    proof: AStar<P>,
+    work: Work<P>,
+    /// Steps of what is over, and of all before this stage.
     spent: u64,
     begun: u64,
     /// No plan is shorter.
     least: u32,
     plan: Option<Solution<P::State, P::Action>>,
+    /// Where to go when there is no plan.
+    toward: Option<Solution<P::State, P::Action>>,
     outcome: Option<Outcome>,
 }
 
@@ -57,141 +69,176 @@ impl<P: Mdp + Clone> AnyTime<P> {
     /// A solver that has done nothing yet. The problem is cloned: lend or share it.
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
-        let mut solver = Self {
-            search: AStar::new(problem.clone(), settings),
+        Self {
+            proof: AStar::new(problem.clone(), within(settings, settings.budget.states)),
             problem,
             settings,
             stage: 0,
-            parts: None,
+            work: Work::None,
             spent: 0,
             begun: 0,
             least: 0,
             plan: None,
+            toward: None,
             outcome: None,
-        };
-        solver.begin();
-        solver
+        }
     }
 
     /// The shortest plan so far.
     #[must_use]
     pub fn plan(&self) -> Option<&Solution<P::State, P::Action>> {
-        self.parts.as_ref().map_or(self.plan.as_ref(), |parts| parts.best())
+        if let Work::Parts(parts) = &self.work { parts.best() } else { self.plan.as_ref() }
     }
 
     /// A plan needs at least so many actions, as far as is proved.
     #[must_use]
     pub fn least(&self) -> u32 {
-        self.least.max(self.search.least())
+        self.least.max(self.proof.least())
     }
 
     /// How many steps were done.
     fn steps(&self) -> u64 {
-        self.spent
-            + self.search.expanded()
-            + self.parts.as_ref().map_or(0, |parts| parts.expanded())
-    }
-
-    fn left(&self) -> u64 {
-        self.settings.budget.steps.saturating_sub(self.steps())
+        let work = match &self.work {
+            Work::None => 0,
+            Work::Parts(parts) => parts.expanded(),
+            Work::Search(search) => search.expanded(),
+        };
+        self.spent + self.proof.expanded() + work
     }
 
     fn length(&self) -> Option<u32> {
         self.plan().and_then(|plan| u32::try_from(plan.actions.len()).ok())
     }
 
-    /// Does one step more. All that ends a stage is looked at after each, so that it does not matter how many are asked
-    /// for at once.
+    /// Does one step more.
     fn advance(&mut self) -> Option<Outcome> {
         let (stage, most) = STAGES[self.stage];
-        let is_spent = self.steps() - self.begun >= most || self.left() == 0;
-        match (stage, &mut self.parts) {
-            (Stage::Parts, Some(parts)) => {
-                let is_over = is_spent || parts.step();
-                if !is_over {
+        let steps = self.steps();
+        if steps >= self.settings.budget.steps || (steps >= TRIED && self.is_near()) {
+            return self.end();
+        }
+        if steps - self.begun >= most {
+            return self.go_on();
+        }
+        match (stage, &mut self.work) {
+            (Stage::Sharpen, _) => {
+                if !self.problem.sharpen() {
+                    self.spent += 1;
                     return None;
                 }
-                self.plan = parts.best().cloned();
+                if steps > self.begun {
+                    self.least = self.least();
+                    self.spent += self.proof.expanded();
+                    let settings = within(self.settings, self.settings.budget.states);
+                    self.proof = AStar::new(self.problem.clone(), settings);
+                }
                 self.go_on()
             }
-            (Stage::Sharpen, _) => {
-                let is_over = is_spent || self.problem.sharpen();
-                self.spent += u64::from(!is_over);
-                if is_over { self.go_on() } else { None }
+            (_, Work::Parts(parts)) => {
+                if parts.step() {
+                    self.go_on()
+                } else {
+                    None
+                }
             }
-            _ => match self.search.step(1) {
-                Some(outcome) => self.ended(outcome),
-                None => self.is_near().then_some(Outcome::Budget),
+            (_, Work::Search(search)) => {
+                let outcome = search.step(1)?;
+                match outcome {
+                    Outcome::Unfit => return Some(outcome),
+                    Outcome::Unreachable if self.plan.is_none() => return Some(outcome),
+                    Outcome::Unreachable => self.least = self.least.max(search.least()),
+                    Outcome::Solved => self.plan = search.plan().cloned(),
+                    Outcome::Budget => {}
+                }
+                self.go_on()
+            }
+            (_, Work::None) => match self.proof.step(1)? {
+                Outcome::Solved => {
+                    self.plan = self.proof.plan().cloned();
+                    Some(Outcome::Solved)
+                }
+                Outcome::Budget => self.go_on(),
+                // There is none that is shorter.
+                Outcome::Unreachable if self.plan.is_some() => Some(Outcome::Solved),
+                outcome => Some(outcome),
             },
         }
     }
 
     /// Whether the plan is as good as proved.
     fn is_near(&self) -> bool {
-        let is_last = self.stage + 1 == STAGES.len();
-        is_last
-            && self.search.expanded() >= TRIED
-            && self.length().is_some_and(|length| {
-                u64::from(length) * NEAR.1 <= u64::from(self.least()) * NEAR.0
-            })
-    }
-
-    /// What comes of a search that has ended.
-    fn ended(&mut self, outcome: Outcome) -> Option<Outcome> {
-        match (STAGES[self.stage].0, outcome) {
-            (_, Outcome::Unfit) => return Some(outcome),
-            (Stage::Search(Guide::Bound), Outcome::Solved) => {
-                self.plan = self.search.plan().cloned();
-                return Some(outcome);
-            }
-            (_, Outcome::Solved) => self.plan = self.search.plan().cloned(),
-            (_, Outcome::Unreachable) if self.plan.is_none() => return Some(outcome),
-            _ => {}
-        }
-        self.go_on()
+        let is_near = |length| u64::from(length) * NEAR.1 <= u64::from(self.least()) * NEAR.0;
+        self.length().is_some_and(is_near)
     }
 
     /// Begins the next stage that there is something to do in.
     fn go_on(&mut self) -> Option<Outcome> {
-        self.least = self.least();
-        if self.length().is_some_and(|length| length <= self.least) {
-            return Some(Outcome::Solved);
+        self.put_away();
+        loop {
+            if self.length().is_some_and(|length| length <= self.least()) {
+                return Some(Outcome::Solved);
+            }
+            self.stage += 1;
+            let Some(&(stage, _)) = STAGES.get(self.stage) else { return self.end() };
+            if stage != Stage::Greedy || self.plan.is_none() {
+                self.begin(stage);
+                return None;
+            }
         }
-        if self.left() == 0 || self.stage + 1 == STAGES.len() {
-            return Some(Outcome::Budget);
-        }
-        self.stage += 1;
-        self.begin();
-        None
     }
 
-    fn begin(&mut self) {
-        self.spent = self.steps();
-        self.begun = self.spent;
-        let (stage, most) = STAGES[self.stage];
-        let settings =
-            self.settings.with_budget(most.min(self.left()), self.settings.budget.states);
-        let shorter = self.length().map_or(u32::MAX, |length| length - 1);
-        self.parts = None;
-        let (guide, settings) = match stage {
-            Stage::Search(guide) => (guide, settings),
-            Stage::Greedy if self.plan.is_none() => (Guide::Guess(0, 1), settings),
-            Stage::Parts => {
-                let most = self.settings;
-                let known = self.plan.clone();
-                self.parts = Some(Box::new(Parts::new(self.problem.clone(), most, known)));
-                (Guide::Bound, settings.with_budget(0, 0))
-            }
-            Stage::Greedy | Stage::Sharpen => (Guide::Bound, settings.with_budget(0, 0)),
-        };
-        let start = self.problem.initial();
-        self.search = AStar::guided(self.problem.clone(), start, settings, shorter, guide);
+    /// Ends with what is known.
+    fn end(&mut self) -> Option<Outcome> {
+        if let (None, Work::Search(search)) = (&self.plan, &self.work) {
+            self.toward = Some(search.toward());
+        }
+        self.put_away();
+        if self.plan.is_none() && self.toward.is_none() {
+            self.toward = Some(self.proof.toward());
+        }
+        Some(Outcome::Budget)
     }
+
+    /// Keeps what the work of this stage has found.
+    fn put_away(&mut self) {
+        self.spent = self.steps() - self.proof.expanded();
+        self.plan = self.plan().cloned();
+        self.work = Work::None;
+        if let Some(length) = self.length() {
+            self.proof.limit(length.saturating_sub(1));
+        }
+    }
+
+    fn begin(&mut self, stage: Stage) {
+        self.begun = self.steps();
+        let states = self.settings.budget.states.saturating_sub(self.proof.kept());
+        let settings = within(self.settings, states);
+        let problem = self.problem.clone();
+        let guide = match stage {
+            Stage::Prove | Stage::Sharpen => return,
+            Stage::Parts => {
+                let parts = Parts::new(problem, settings, self.plan.clone());
+                self.work = Work::Parts(Box::new(parts));
+                return;
+            }
+            Stage::Greedy => Guide::Guess(0, 1),
+            Stage::Improve(costs, guesses) => Guide::Guess(costs, guesses),
+        };
+        let shorter = self.length().map_or(u32::MAX, |length| length.saturating_sub(1));
+        let start = problem.initial();
+        let search = AStar::guided(problem, start, settings, shorter, guide);
+        self.work = Work::Search(Box::new(search));
+    }
+}
+
+/// Steps are counted here, states where they are kept.
+const fn within(settings: Settings, states: usize) -> Settings {
+    settings.with_budget(u64::MAX, states)
 }
 
 impl<P: Mdp + Clone> Policy<P::State, P::Action> for AnyTime<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
-        self.plan().or(self.search.plan())?.action(state)
+        self.plan().or(self.toward.as_ref())?.action(state)
     }
 
     fn value(&self, state: P::State) -> Option<f64> {
@@ -199,7 +246,7 @@ impl<P: Mdp + Clone> Policy<P::State, P::Action> for AnyTime<P> {
             (Some(Outcome::Solved), Some(plan)) if !self.problem.is_terminal(state) => {
                 Some(self.settings.worth(plan.left(state)?))
             }
-            _ => self.search.value(state),
+            _ => self.proof.value(state),
         }
     }
 }
@@ -226,7 +273,20 @@ impl<P: Mdp + Clone> Solver<P::State, P::Action> for AnyTime<P> {
             Some(Outcome::Unreachable) => (0.0, 0.0),
             _ => (self.length().map_or(0.0, worth), worth(self.least())),
         };
+        let kept = match &self.work {
+            Work::None => 0,
+            Work::Parts(parts) => parts.kept(),
+            Work::Search(search) => search.kept(),
+        };
         let steps = self.steps();
-        Progress { steps, lower, upper, least: self.least(), ..self.search.progress() }
+        Progress {
+            states: self.proof.kept() + kept,
+            steps,
+            backups: steps * self.problem.actions().len() as u64,
+            residual: f64::NAN,
+            lower,
+            upper,
+            least: self.least(),
+        }
     }
 }

@@ -4,7 +4,7 @@
 //! hash index of u32. Invariants: led by an admissible and consistent bound the plan is shortest, and what was looked
 //! at proves how long it is at least; ties fall to the state found last, so the same problem gives the same plan.
 
-use crate::mdp::{Leap, Mdp, Outcome, Policy, Progress, Settings, Solver};
+use crate::mdp::{Leaps, Mdp, Outcome, Policy, Progress, Settings, Solver};
 use hashbrown::HashTable;
 use rustc_hash::FxBuildHasher;
 use std::collections::BTreeMap;
@@ -26,8 +26,8 @@ pub(super) enum Guide {
     Bound,
     /// The cost so many times, the problem's guess so many times.
     Guess(u32, u32),
-    /// Cost and the bound of this part of the goal, until it holds and what held at first does.
-    Part(usize),
+    /// The cost and so many times the bound of this part of the goal, until it holds and what held at first does.
+    Part(usize, u32),
 }
 
 /// A search at work.
@@ -46,7 +46,7 @@ pub struct AStar<P: Mdp> {
     expanded: u64,
     /// The node with the least to go among those expanded.
     nearest: u32,
-    leaps: Vec<Leap<P::State>>,
+    leaps: Leaps<P::State, P::Action>,
     /// Whether actions count that may go wrong, as if they did not.
     takes_chances: bool,
     plan: Option<Solution<P::State, P::Action>>,
@@ -137,7 +137,7 @@ impl<P: Mdp> AStar<P> {
             open: Open::default(),
             expanded: 0,
             nearest: 0,
-            leaps: Vec::new(),
+            leaps: Leaps::default(),
             takes_chances: false,
             plan: None,
             outcome: None,
@@ -162,6 +162,11 @@ impl<P: Mdp> AStar<P> {
     #[must_use]
     pub const fn problem(&self) -> &P {
         &self.problem
+    }
+
+    /// Looks for no plans from here on that need more actions.
+    pub(super) fn limit(&mut self, most_actions: u32) {
+        self.most_actions = self.most_actions.min(most_actions);
     }
 
     /// How many states were expanded so far, counted each time.
@@ -204,6 +209,10 @@ impl<P: Mdp> AStar<P> {
             if facts.waits != score {
                 continue;
             }
+            // Nor is any other that is left.
+            if self.guide == Guide::Bound && u32::from(score) > self.most_actions {
+                return Some(Outcome::Unreachable);
+            }
             let state = self.nodes.state[node as usize];
             if self.is_end(state) {
                 self.plan = Some(self.plan_to(node));
@@ -211,7 +220,7 @@ impl<P: Mdp> AStar<P> {
             }
             if self.expanded >= budget.steps || self.kept() >= budget.states {
                 self.open.push(score, node);
-                self.plan = Some(self.plan_to(self.nearest));
+                self.plan = Some(self.toward());
                 return Some(Outcome::Budget);
             }
             self.expanded += 1;
@@ -229,31 +238,35 @@ impl<P: Mdp> AStar<P> {
 
     /// Whether this is what was looked for.
     fn is_end(&self, state: P::State) -> bool {
-        let Guide::Part(index) = self.guide else { return self.problem.is_terminal(state) };
+        let Guide::Part(index, _) = self.guide else { return self.problem.is_terminal(state) };
         let holds = |part: usize| self.problem.part(part, state) == Some(0);
         let held = (0..self.problem.n_parts()).filter(|part| self.held >> part & 1 == 1);
         holds(index) && held.into_iter().all(holds)
     }
 
-    /// Keeps the successors whose turn it is; the score of the next ones, or `None` when an action is not sure.
+    /// Keeps the successors whose turn it is; the score of the next ones, or `None` when it is the turn of what is not sure.
     fn leap(&mut self, node: u32, state: P::State, facts: Facts) -> Option<u16> {
         let is_first = self.score(facts.cost, facts.left) == facts.waits;
         let mut later = DONE;
         let mut leaps = std::mem::take(&mut self.leaps);
         leaps.clear();
         self.problem.leaps(state, &mut leaps);
-        if !self.takes_chances && leaps.iter().any(|leap| !leap.is_sure) {
-            return None;
-        }
-        for leap in &leaps {
+        for (leap, ends) in leaps.iter() {
             let Some(cost) = u16::try_from(u32::from(facts.cost) + leap.cost).ok() else {
                 continue;
             };
-            let Some((left, score)) = self.judge(leap.state, cost) else { continue };
+            // As if all went well.
+            let judged = |end: &(P::State, f64)| {
+                self.judge(end.0, cost).map(|(left, score)| (score, left, end.0))
+            };
+            let best = ends.iter().filter_map(judged).min_by_key(|&(score, left, _)| (score, left));
+            let Some((score, left, end)) = best else { continue };
             if score > facts.waits {
                 later = later.min(score);
+            } else if !self.takes_chances && !leap.is_sure() {
+                return None;
             } else if is_first || score == facts.waits {
-                self.reach(leap.state, Facts { parent: node, cost, left, waits: score });
+                self.reach(end, Facts { parent: node, cost, left, waits: score });
             }
         }
         self.leaps = leaps;
@@ -269,7 +282,7 @@ impl<P: Mdp> AStar<P> {
         let left = match self.guide {
             Guide::Bound => bound,
             Guide::Guess(..) => self.problem.estimate(state)?,
-            Guide::Part(index) => self.problem.part(index, state)?,
+            Guide::Part(index, _) => self.problem.part(index, state)?,
         };
         let left = u16::try_from(left).ok()?;
         Some((left, self.score(cost, left))).filter(|(_, score)| *score != DONE)
@@ -278,7 +291,8 @@ impl<P: Mdp> AStar<P> {
     fn score(&self, cost: u16, left: u16) -> u16 {
         let (cost, left) = (u32::from(cost), u32::from(left));
         let score = match self.guide {
-            Guide::Bound | Guide::Part(_) => cost + left,
+            Guide::Bound => cost + left,
+            Guide::Part(_, bounds) => cost + bounds * left,
             Guide::Guess(costs, guesses) => costs * cost + guesses * left,
         };
         u16::try_from(score).unwrap_or(DONE)
@@ -311,6 +325,11 @@ impl<P: Mdp> AStar<P> {
     fn is_met(&self, state: P::State) -> bool {
         let key = FxBuildHasher.hash_one(state);
         self.index.find(key, |&n| self.nodes.state[n as usize] == state).is_some()
+    }
+
+    /// The way to the state that seemed nearest to a terminal one.
+    pub(super) fn toward(&self) -> Solution<P::State, P::Action> {
+        self.plan_to(self.nearest)
     }
 
     fn plan_to(&self, node: u32) -> Solution<P::State, P::Action> {

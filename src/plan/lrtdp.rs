@@ -6,8 +6,7 @@
 //! Nothing is drawn at random. A step backs up one state.
 
 use super::astar::AStar;
-use super::graph::Graph;
-use super::numbers::Id;
+use super::graph::{Graph, Id};
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 use std::ops::Range;
 
@@ -52,7 +51,7 @@ impl<P: Mdp + Clone> Lrtdp<P> {
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
         let mut solver = Self {
-            graph: Graph::new(problem, settings.discount, 0),
+            graph: Graph::new(problem, settings.discount),
             settings,
             upper: Vec::new(),
             lower: Vec::new(),
@@ -161,7 +160,8 @@ impl<P: Mdp + Clone> Lrtdp<P> {
         let Some(plan) = self.scout.take().and_then(|scout| scout.plan().cloned()) else { return };
         let mut way = Vec::new();
         for state in plan.states {
-            let Some(id) = self.graph.find(state) else { break };
+            // On the way of a leap there are no numbers.
+            let Some(id) = self.graph.find(state) else { continue };
             if self.graph.is_full(self.settings.budget.states) || self.graph.is_terminal(id) {
                 break;
             }
@@ -202,6 +202,15 @@ impl<P: Mdp + Clone> Lrtdp<P> {
         None
     }
 
+    /// The number of a state that was expanded, is terminal, or is worth nothing.
+    fn known(&self, state: P::State) -> Option<Id> {
+        let is_known = |&id: &Id| {
+            let most = self.upper[id as usize];
+            self.is_expanded[id as usize] || self.graph.is_terminal(id) || most <= 0.0
+        };
+        self.graph.find(state).filter(is_known)
+    }
+
     fn is_solved(&self, id: Id) -> bool {
         self.gap(id) <= STRICTER * self.settings.epsilon
     }
@@ -234,22 +243,29 @@ impl<P: Mdp + Clone> Lrtdp<P> {
     }
 }
 
-impl<P: Mdp> Policy<P::State, P::Action> for Lrtdp<P> {
+impl<P: Mdp + Clone> Policy<P::State, P::Action> for Lrtdp<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
-        let id = self.graph.find(state)?;
-        let best = self.graph.best(id, &self.lower).or_else(|| self.graph.best(id, &self.upper));
-        best.map(|(row, _)| self.graph.action(row))
+        if let Some(id) = self.known(state) {
+            let best = self.graph.best(id, &self.lower);
+            let best = best.or_else(|| self.graph.best(id, &self.upper));
+            return best.map(|(row, _)| self.graph.action(row));
+        }
+        let ahead = |worth: &[f64]| self.graph.look(state, |id| worth[id as usize]);
+        ahead(&self.lower).or_else(|| ahead(&self.upper)).map(|(action, _)| action)
     }
 
     /// What the policy earns at least.
     fn value(&self, state: P::State) -> Option<f64> {
-        let id = self.graph.find(state)?;
-        let (worth, most) = (self.lower[id as usize], self.upper[id as usize]);
-        if self.graph.is_terminal(id) {
-            return Some(worth);
+        if let Some(id) = self.known(state) {
+            let worth = self.lower[id as usize];
+            return Some(if self.graph.is_terminal(id) {
+                worth
+            } else {
+                worth / self.settings.discount
+            });
         }
-        // Of what was not expanded, only this is known: whether it is worth nothing.
-        (self.is_expanded[id as usize] || most <= 0.0).then(|| worth / self.settings.discount)
+        let ahead = self.graph.look(state, |id| self.lower[id as usize]);
+        ahead.map(|(_, worth)| worth)
     }
 }
 

@@ -1,6 +1,5 @@
 //! Planners. They know a problem only as an [`crate::mdp::Mdp`].
 
-mod numbers;
 mod graph;
 pub mod astar;
 mod parts;

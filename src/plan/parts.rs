@@ -5,15 +5,15 @@
 use super::astar::{AStar, Guide, Solution};
 use crate::mdp::{Mdp, Outcome, Settings, Solver};
 
-/// States that one part may look at.
-const PART: u64 = 3_000;
+/// How often a part's bound counts, and how many states that may look at: to be short, then to get there at all.
+const TRIES: [(u32, u64); 2] = [(1, 1_000), (4, 5_000)];
 
 /// See the head of this file.
 pub(super) struct Parts<P: Mdp> {
     problem: P,
     settings: Settings,
     begun: Vec<Begun<P::State, P::Action>>,
-    search: Option<Box<AStar<P>>>,
+    search: Option<Search<P>>,
     /// States looked at before the present search.
     spent: u64,
     best: Option<Solution<P::State, P::Action>>,
@@ -24,6 +24,13 @@ struct Begun<S, A> {
     way: Solution<S, A>,
     /// The parts that may come next, the best last.
     next: Vec<usize>,
+}
+
+/// A part that is looked for from the last beginning, and which try it is.
+struct Search<P: Mdp> {
+    by: Box<AStar<P>>,
+    part: usize,
+    tried: usize,
 }
 
 impl<P: Mdp + Clone> Parts<P> {
@@ -47,37 +54,59 @@ impl<P: Mdp + Clone> Parts<P> {
 
     /// How many states were looked at.
     pub(super) fn expanded(&self) -> u64 {
-        self.spent + self.search.as_ref().map_or(0, |search| search.expanded())
+        self.spent + self.search.as_ref().map_or(0, |search| search.by.expanded())
+    }
+
+    /// How many states are kept.
+    pub(super) fn kept(&self) -> usize {
+        self.search.as_ref().map_or(0, |search| search.by.kept())
     }
 
     /// Looks at no more than one state; whether all orders were tried that may be better.
     pub(super) fn step(&mut self) -> bool {
-        if let Some(search) = &mut self.search {
-            let Some(outcome) = search.step(1) else { return false };
-            self.spent += search.expanded();
-            let found = search.plan().filter(|_| outcome == Outcome::Solved).cloned();
-            self.search = None;
-            if let (Some(rest), Some(before)) = (found, self.begun.last()) {
-                let mut whole = before.way.clone();
-                whole.extend(&rest);
-                self.open(whole);
+        if let Some(Search { by, .. }) = &mut self.search {
+            if let Some(outcome) = by.step(1) {
+                self.ended(outcome);
             }
             return false;
         }
-        let Some(Begun { way, next }) = self.begun.last_mut() else { return true };
-        let (Some(part), Some(&state)) = (next.pop(), way.states.last()) else {
-            self.begun.pop();
-            return false;
-        };
-        let most = self.best.as_ref().map_or(usize::MAX, |best| best.actions.len() - 1);
-        if let Some(most) = most.checked_sub(way.actions.len()) {
-            let settings = self.settings.with_budget(PART, self.settings.budget.states);
-            let problem = self.problem.clone();
-            let most = u32::try_from(most).unwrap_or(u32::MAX);
-            let search = AStar::guided(problem, state, settings, most, Guide::Part(part));
-            self.search = Some(Box::new(search));
+        let Some(last) = self.begun.last_mut() else { return true };
+        match last.next.pop() {
+            Some(part) => self.look_for(part, 0),
+            None => drop(self.begun.pop()),
         }
         false
+    }
+
+    /// What comes of a search that has ended.
+    fn ended(&mut self, outcome: Outcome) {
+        let Some(Search { by, part, tried }) = self.search.take() else { return };
+        self.spent += by.expanded();
+        match (outcome, by.plan(), self.begun.last()) {
+            (Outcome::Solved, Some(rest), Some(before)) => {
+                let mut whole = before.way.clone();
+                whole.extend(rest);
+                self.open(whole);
+            }
+            (Outcome::Budget, ..) if tried + 1 < TRIES.len() => self.look_for(part, tried + 1),
+            _ => {}
+        }
+    }
+
+    /// Begins to look for a part from the last beginning, unless that cannot be better.
+    fn look_for(&mut self, part: usize, tried: usize) {
+        let Some(Begun { way, .. }) = self.begun.last() else { return };
+        let most = self.best.as_ref().map_or(usize::MAX, |best| best.actions.len() - 1);
+        let (Some(most), Some(&state)) = (most.checked_sub(way.actions.len()), way.states.last())
+        else {
+            return;
+        };
+        let (weight, steps) = TRIES[tried];
+        let settings = self.settings.with_budget(steps, self.settings.budget.states);
+        let most = u32::try_from(most).unwrap_or(u32::MAX);
+        let guide = Guide::Part(part, weight);
+        let by = Box::new(AStar::guided(self.problem.clone(), state, settings, most, guide));
+        self.search = Some(Search { by, part, tried });
     }
 
     /// Notes how to get somewhere: as a plan, or as the beginning of plans.

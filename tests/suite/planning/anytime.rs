@@ -2,9 +2,9 @@
 //! what their actions do; pairs of objects make bounds sharper and keep their promises.
 
 use super::{goal, planned, step, world};
-use groundling::domain::{Plan, Rules, State, generate};
+use groundling::domain::{Action, Packed, Plan, Rules, State, generate};
 use groundling::ground::{Goal, Task};
-use groundling::mdp::{self, Leap, Mdp, Outcome, Settings, Solver};
+use groundling::mdp::{self, Leaps, Mdp, Outcome, Settings, Solver};
 use groundling::plan::AnyTime;
 
 /// The first objects of a world, each to be in another room.
@@ -103,25 +103,42 @@ fn a_leap_is_what_its_actions_do() {
         let task = Task::new(&goal, &state, rules).unwrap();
         let mut at = task.initial();
         for n in 0..12 {
-            let mut leaps: Vec<Leap<_>> = Vec::new();
+            let mut leaps = Leaps::default();
             task.leaps(at, &mut leaps);
-            for leap in &leaps {
-                let mut actions = Vec::new();
-                task.way(at, leap.state, &mut actions);
-                let cheapest = leaps.iter().filter(|l| l.state == leap.state).map(|l| l.cost).min();
-                assert_eq!(u32::try_from(actions.len()).ok(), cheapest);
-                let mut out = Vec::new();
-                let end = actions.iter().fold(at, |from, &action| {
-                    out.clear();
-                    task.successors(from, action, &mut out);
-                    out[0].0
-                });
-                assert_eq!(end, leap.state);
+            let mut found = Vec::new();
+            for (leap, ends) in leaps.iter() {
+                assert!(leap.is_sure() && ends.len() == 1);
+                found.push((ends[0].0, leap.cost, leap.first));
             }
-            let Some(leap) = leaps.get((seed as usize * 7 + n * 5) % leaps.len().max(1)) else {
+            for &(end, cost, first) in &found {
+                let cheapest = found.iter().filter(|leap| leap.0 == end).map(|leap| leap.1).min();
+                let mut actions = Vec::new();
+                task.way(at, end, &mut actions);
+                assert_eq!(u32::try_from(actions.len()).ok(), cheapest);
+                assert_eq!(led(&task, at, &actions), end);
+                // Its first action is the first of as many.
+                let mut rest = Vec::new();
+                let next = led(&task, at, &[first]);
+                if cost > 1 {
+                    task.way(next, end, &mut rest);
+                }
+                assert!(rest.len() < cost as usize);
+                assert_eq!(led(&task, next, &rest), end);
+            }
+            let Some(leap) = found.get((seed as usize * 7 + n * 5) % found.len().max(1)) else {
                 break;
             };
-            at = leap.state;
+            at = leap.0;
         }
     }
+}
+
+/// Where sure actions lead.
+fn led(task: &Task, from: Packed, actions: &[Action]) -> Packed {
+    let mut out = Vec::new();
+    actions.iter().fold(from, |from, &action| {
+        out.clear();
+        task.successors(from, action, &mut out);
+        out[0].0
+    })
 }
