@@ -1,14 +1,15 @@
 //! What a robot can do next in compass form: walk somewhere and move an object by one cell, or try a door. Walks alone
-//! lead nowhere that such a leap does not leave from, but where a goal speaks of the robot. One breadth-first search over
-//! the free cells finds the shortest of all of them. Walks go through no door that nobody tried where it may be locked.
+//! lead nowhere that such a leap does not leave from, but where a goal speaks of the robot. One search over the free
+//! cells finds the shortest of all of them. Walks go through no door that nobody tried where it may be locked.
 
 use super::dynamics::Dynamics;
+use super::flood::Flood;
 use super::layout::{NOWHERE, Place};
 use super::object::Direction;
 use super::packing::Packed;
 use super::rules::Action;
 
-/// Not reached, or nothing in the way.
+/// Nothing in the way.
 const NONE: u16 = u16::MAX;
 /// In the way of everything: a door that is closed.
 const CLOSED: u16 = NONE - 1;
@@ -16,13 +17,9 @@ const CLOSED: u16 = NONE - 1;
 const UNTRIED: u16 = NONE - 2;
 
 /// What the robot can walk to from a state, kept for the next state.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Walks {
-    /// Steps to each place, or [`NONE`].
-    steps: Vec<u16>,
-    /// The places reached, nearest first, and the first step to each.
-    reached: Vec<Place>,
-    first: Vec<Direction>,
+    flood: Flood,
     /// The object at each place, [`CLOSED`], [`UNTRIED`] or [`NONE`].
     objects: Vec<u16>,
     /// The places of doors.
@@ -45,69 +42,82 @@ pub struct Carry {
 }
 
 impl Walks {
-    /// Finds what can be walked to.
-    pub fn explore(&mut self, dynamics: &Dynamics, state: Packed) {
+    /// Walks in a world, none looked for yet.
+    #[must_use]
+    pub fn new(dynamics: &Dynamics) -> Self {
         let layout = dynamics.layout();
-        if self.steps.len() != layout.len() {
-            self.doors = layout.places().filter(|&place| layout.door(place).is_some()).collect();
+        Self {
+            flood: Flood::new(layout),
+            objects: vec![NONE; layout.len()],
+            doors: layout.places().filter(|&place| layout.door(place).is_some()).collect(),
+            contacts: Vec::new(),
         }
-        self.steps.clear();
-        self.steps.resize(layout.len(), NONE);
-        self.objects.clear();
-        self.objects.resize(layout.len(), NONE);
-        for &place in &self.doors {
-            if !dynamics.opens(state, place) {
-                self.objects[usize::from(place)] = CLOSED;
-            } else if dynamics.untried(state, place).is_some() {
-                self.objects[usize::from(place)] = UNTRIED;
+    }
+
+    /// Finds the walks to what can be moved and tried in a state; or to everywhere.
+    pub fn explore(&mut self, dynamics: &Dynamics, state: Packed, everywhere: bool) {
+        let Self { flood, objects, doors, contacts } = self;
+        flood.clear();
+        objects.fill(NONE);
+        contacts.clear();
+        for &place in doors.iter() {
+            let is_open = dynamics.opens(state, place);
+            if !is_open || dynamics.untried(state, place).is_some() {
+                objects[usize::from(place)] = if is_open { UNTRIED } else { CLOSED };
+                flood.block(place);
             }
         }
         for object in 0..dynamics.n_objects() {
-            self.objects[usize::from(dynamics.object(state, object))] = object as u16;
+            let place = dynamics.object(state, object);
+            objects[usize::from(place)] = object as u16;
+            flood.block(place);
         }
-        self.reached.clear();
-        self.first.resize(layout.len(), Direction::North);
-        self.contacts.clear();
-        let start = dynamics.agent(state);
-        self.steps[usize::from(start)] = 0;
-        self.reached.push(start);
-        let mut at = 0;
-        while let Some(&place) = self.reached.get(at) {
-            at += 1;
-            let next_steps = self.steps[usize::from(place)] + 1;
-            for (next, &direction) in layout.neighbours(place).into_iter().zip(Direction::ALL) {
-                if next == NOWHERE {
+        let layout = dynamics.layout();
+        let mut meet = |place: Place, thing: u16, is_pulled: bool| {
+            for (stand, side) in layout.neighbours(place).into_iter().zip(Direction::ALL) {
+                if stand == NOWHERE {
                     continue;
                 }
-                let i = usize::from(next);
-                match self.objects[i] {
-                    NONE if self.steps[i] == NONE => {
-                        self.steps[i] = next_steps;
-                        let is_first = next_steps == 1;
-                        let first =
-                            if is_first { direction } else { self.first[usize::from(place)] };
-                        self.first[i] = first;
-                        self.reached.push(next);
-                    }
-                    NONE | CLOSED => {}
-                    object => self.contacts.push((place, direction, object)),
+                flood.want(stand);
+                contacts.push((stand, side.opposite(), thing));
+                let back = layout.neighbour(stand, *side);
+                if is_pulled && back != NOWHERE {
+                    flood.want(back);
                 }
             }
+        };
+        for object in (0..dynamics.n_objects()).filter(|&object| dynamics.can_move(object)) {
+            meet(dynamics.object(state, object), object as u16, dynamics.rules().pull);
         }
+        for &place in doors.iter().filter(|place| objects[usize::from(**place)] == UNTRIED) {
+            meet(place, UNTRIED, false);
+        }
+        flood.run(dynamics.agent(state), everywhere);
+        contacts.retain(|contact| flood.steps(contact.0).is_some());
     }
 
-    /// The places that can be walked to, nearest first, each with the steps; the robot's own comes first.
+    /// The places that can be walked to, nearest first, each with the steps, after [`Walks::explore`] for everywhere; the
+    /// robot's own comes first.
     pub fn reached(&self) -> impl Iterator<Item = (Place, u32)> + '_ {
-        self.reached.iter().map(|&place| (place, u32::from(self.steps[usize::from(place)])))
+        self.flood.reached()
     }
 
-    /// All ways to move an object or to try a door next, after [`Walks::explore`] of the same state.
+    /// All ways to move an object or to try a door next, after [`Walks::explore`] of the same state; each with its number.
     pub fn carries<'a>(
         &'a self,
         dynamics: &'a Dynamics,
         state: Packed,
-    ) -> impl Iterator<Item = Carry> + 'a {
-        self.contacts.iter().flat_map(move |&contact| self.at(dynamics, state, contact)).flatten()
+    ) -> impl Iterator<Item = (usize, Carry)> + 'a {
+        self.contacts.iter().enumerate().flat_map(move |(i, &contact)| {
+            let both = self.at(dynamics, state, contact).into_iter().enumerate();
+            both.filter_map(move |(j, carry)| Some((2 * i + j, carry?)))
+        })
+    }
+
+    /// The way of this number.
+    #[must_use]
+    pub fn numbered(&self, dynamics: &Dynamics, state: Packed, number: usize) -> Option<Carry> {
+        self.at(dynamics, state, *self.contacts.get(number / 2)?)[number % 2]
     }
 
     /// To push what is there, and to pull it; or to step through the door.
@@ -119,14 +129,14 @@ impl Walks {
     ) -> [Option<Carry>; 2] {
         let layout = dynamics.layout();
         let ahead = layout.neighbour(place, side);
-        let steps = u32::from(self.steps[usize::from(place)]);
+        let Some(steps) = self.flood.steps(place) else { return [None, None] };
         let stand = (place, side);
         if object == UNTRIED {
             let state = dynamics.quotient(dynamics.through(state, ahead, side));
             return [Some(Carry { state, cost: steps + 1, stand, action: step(side) }), None];
         }
         let object = usize::from(object);
-        if !dynamics.can_move(object) || !dynamics.opens(state, ahead) {
+        if !dynamics.opens(state, ahead) {
             return [None, None];
         }
         let beyond = layout.neighbour(ahead, side);
@@ -140,7 +150,7 @@ impl Walks {
             action: step(side),
         });
         let may_pull = dynamics.rules().pull && dynamics.opens(state, place);
-        let faced = self.facing(dynamics, state, stand, is_free).filter(|_| may_pull);
+        let faced = if may_pull { self.facing(dynamics, state, stand, is_free) } else { None };
         let pull = faced.map(|n| Carry {
             state: dynamics.moved(state, object, [ahead, place], side.opposite()),
             cost: n + 1,
@@ -159,7 +169,7 @@ impl Walks {
         (place, side): (Place, Direction),
         gives_way: bool,
     ) -> Option<u32> {
-        let steps = u32::from(self.steps[usize::from(place)]);
+        let steps = self.flood.steps(place)?;
         if steps == 0 && dynamics.heading(state) == side {
             return Some(0);
         }
@@ -175,11 +185,11 @@ impl Walks {
         (place, side): (Place, Direction),
     ) -> Option<(Place, u32)> {
         let back = dynamics.layout().neighbour(place, side.opposite());
+        // The robot may stand in a door that it cannot enter again.
         if back == NOWHERE || self.objects[usize::from(place)] != NONE {
             return None;
         }
-        let steps = self.steps[usize::from(back)];
-        (steps != NONE).then_some((back, u32::from(steps)))
+        Some((back, self.flood.steps(back)?))
     }
 
     /// Where the walk of a carry ends that must first turn to what it pulls: one step back, or right before it.
@@ -190,19 +200,6 @@ impl Walks {
         let back = self.behind(dynamics, carry.stand);
         let arrives = back.filter(|(_, steps)| steps + 2 == carry.cost);
         Some(arrives.map_or(carry.stand.0, |(back, _)| back))
-    }
-
-    /// The first action of a carry.
-    #[must_use]
-    pub fn first(&self, dynamics: &Dynamics, carry: Carry) -> Action {
-        let (place, side) = carry.stand;
-        let turn = self.turns_at(dynamics, carry);
-        let end = usize::from(turn.unwrap_or(place));
-        match (self.steps[end], turn) {
-            (0, None) => carry.action,
-            (0, Some(_)) => step(side),
-            _ => step(self.first[end]),
-        }
     }
 
     /// The state in which the last action of a carry is taken, as far as it matters to that.
@@ -216,33 +213,15 @@ impl Walks {
         dynamics.with_agent(state, place, heading).unwrap_or(state)
     }
 
-    /// The first step of the walk to a place that was reached.
-    #[must_use]
-    pub fn toward(&self, place: Place) -> Action {
-        step(self.first[usize::from(place)])
-    }
-
     /// Appends the actions of a walk to a place that was reached.
-    pub fn walk(&self, dynamics: &Dynamics, to: Place, out: &mut Vec<Action>) {
-        let layout = dynamics.layout();
-        let from = out.len();
-        let mut place = to;
-        while self.steps[usize::from(place)] > 0 {
-            let nearer = |side: &&Direction| {
-                let next = layout.neighbour(place, **side);
-                next != NOWHERE && self.steps[usize::from(next)] < self.steps[usize::from(place)]
-            };
-            let Some(&side) = Direction::ALL.iter().find(nearer) else { break };
-            out.push(step(side.opposite()));
-            place = layout.neighbour(place, side);
-        }
-        out[from..].reverse();
+    pub fn walk(&self, to: Place, out: &mut Vec<Action>) {
+        out.extend(self.flood.back(to).into_iter().rev().map(step));
     }
 
     /// Appends the actions of a carry.
     pub fn carry(&self, dynamics: &Dynamics, carry: Carry, out: &mut Vec<Action>) {
         let turn = self.turns_at(dynamics, carry);
-        self.walk(dynamics, turn.unwrap_or(carry.stand.0), out);
+        self.walk(turn.unwrap_or(carry.stand.0), out);
         if turn.is_some() {
             out.push(step(carry.stand.1));
         }

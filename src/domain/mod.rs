@@ -9,6 +9,7 @@ pub mod rules;
 pub mod packing;
 pub mod dynamics;
 mod outcomes;
+mod flood;
 pub mod leaps;
 pub mod generate;
 pub mod blueprint;

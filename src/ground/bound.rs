@@ -2,7 +2,8 @@
 //! of its parts, a conjunction's the largest, or what its objects add up to if that is more: an action moves one object
 //! by one cell, so moves of distinct objects add up; the robot's steps do not, but for those to the first object
 //! that must move (a cost partition: Katz and Domshlak 2010).
-//! Doors that turned out to be locked count: there are tables for every set of such doors, of the five that matter most.
+//! Doors that turned out to be locked count: there are tables for every set of such doors, of the few that matter most,
+//! and for each other door alone; a way behind many is at least as long as behind each of them.
 //! Where chance plays a part, values are bounded too: see [`BoundOf::most`].
 //! Invariant: bounds are admissible and consistent; locks only make a way longer.
 
@@ -14,9 +15,12 @@ use crate::mdp::power;
 use std::cmp::Reverse;
 
 /// Most entries of all tables; above it the locks of fewer doors count.
-const MAX_ENTRIES: usize = 6_000_000;
-/// Most doors whose locks count.
+const MAX_ENTRIES: usize = 16_000_000;
+/// Most entries of tables for sets of doors, and most doors that are in them.
+const MAX_SET_ENTRIES: usize = 6_000_000;
 const MAX_SETS: usize = 5;
+/// More actions than any way has.
+const NEVER: u32 = u32::MAX;
 /// Most loads of which all orders are tried.
 const MOST_ORDERED: usize = 5;
 
@@ -25,8 +29,10 @@ const MOST_ORDERED: usize = 5;
 pub(super) struct BoundOf {
     /// For each set of `doors` being locked, as a binary number; the other doors are as at the outset.
     tables: Vec<Tables>,
-    /// Doors that nobody tried.
+    /// Doors that nobody tried, those that matter most first.
     doors: Vec<usize>,
+    /// Others, each with the tables if it alone is locked.
+    others: Vec<(usize, Tables)>,
 }
 
 #[derive(Clone, Debug)]
@@ -59,28 +65,33 @@ impl BoundOf {
             }
         };
         let first = of(initial);
-        let places = dynamics.layout().len();
-        let entries = first.by_wish.iter().map(Table::len).sum::<usize>() + places * places;
-        let mut doors: Vec<usize> = (0..dynamics.n_doors())
+        let entries = first.len().max(1);
+        let untried = (0..dynamics.n_doors())
             .filter(|&door| dynamics.lock(initial, door) == Some(Lock::Unknown))
-            .collect();
+            .take((MAX_ENTRIES / entries).saturating_sub(1));
         let lock = |packed, door| dynamics.with_lock(packed, door, Lock::Locked);
-        let most = (0..=MAX_SETS).rev().find(|k| entries << k <= MAX_ENTRIES).unwrap_or(0);
-        if doors.len() > most && most > 0 && entries * doors.len() <= MAX_ENTRIES {
-            // Those without which the way is longest; the first of equals.
-            doors.sort_by_cached_key(|&door| {
-                let tables = of(lock(initial, door));
-                let without = At { tables: &tables, atoms, dynamics, packed: initial }.node(root);
-                Reverse(without.unwrap_or(u32::MAX))
-            });
-        }
-        doors.truncate(most);
+        let mut others: Vec<(usize, Tables)> =
+            untried.map(|door| (door, of(lock(initial, door)))).collect();
+        // Those without which the way is longest; the first of equals.
+        others.sort_by_cached_key(|(_, tables)| {
+            let without = At { tables, atoms, dynamics, packed: initial }.node(root);
+            Reverse(without.unwrap_or(u32::MAX))
+        });
+        let fits = |k: &usize| entries << k <= MAX_SET_ENTRIES;
+        let most = (0..=MAX_SETS.min(others.len())).rev().find(fits).unwrap_or(0);
         let mut tables = vec![first];
-        for set in 1..1_usize << doors.len() {
-            let locked = doors.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
-            tables.push(of(locked.fold(initial, |packed, (_, &door)| lock(packed, door))));
+        let mut doors = Vec::new();
+        for (door, alone) in others.drain(..most) {
+            let with: Vec<usize> = (1..tables.len()).collect();
+            tables.push(alone);
+            for set in with {
+                let locked = doors.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
+                let locked = locked.fold(initial, |packed, (_, &door)| lock(packed, door));
+                tables.push(of(lock(locked, door)));
+            }
+            doors.push(door);
         }
-        Self { tables, doors }
+        Self { tables, doors, others }
     }
 
     /// A lower bound on the actions from a state to the goal at `root`; `None` when no number suffices.
@@ -91,7 +102,11 @@ impl BoundOf {
         dynamics: &Dynamics,
         packed: Packed,
     ) -> Option<u32> {
-        At { tables: self.of(dynamics, packed), atoms, dynamics, packed }.node(root)
+        let least = |tables| At { tables, atoms, dynamics, packed }.node(root);
+        let is_locked = |door: usize| dynamics.lock(packed, door) == Some(Lock::Locked);
+        let others = self.others.iter().filter(|(door, _)| is_locked(*door));
+        let first = least(self.of(dynamics, packed))?;
+        others.map(|(_, tables)| least(tables)).try_fold(first, |most, n| Some(most.max(n?)))
     }
 
     /// The tables for the doors that are locked in a state.
@@ -172,16 +187,36 @@ impl BoundOf {
         let chances = dynamics.rules().chances;
         let tried = |chance: f64| (1.0 - chance) / (1.0 - discount * chance);
         let (action, moved) = (tried(chances.slip()), tried(chances.loss()));
-        let by = |tables| {
-            let at = At { tables, atoms, dynamics, packed };
-            match (at.node(root), at.moves(root)) {
-                (Some(n), Some(moves)) => {
-                    power(discount, n.saturating_sub(1)) * power(action, n) * power(moved, moves)
-                }
-                _ => 0.0,
-            }
+        let worth = |n: u32, moves| {
+            power(discount, n.saturating_sub(1)) * power(action, n) * power(moved, moves)
         };
+        let at = |tables| At { tables, atoms, dynamics, packed };
         let lock = chances.lock();
+        // What the other doors leave at least, if they are known to be locked; and if they turn out to be.
+        let mut known = 0;
+        let mut open = Vec::with_capacity(self.others.len());
+        for (door, tables) in &self.others {
+            let n = || at(tables).node(root).unwrap_or(NEVER);
+            match dynamics.lock(packed, *door) {
+                Some(Lock::Unknown) => open.push(n()),
+                Some(Lock::Locked) => known = known.max(n()),
+                _ => {}
+            }
+        }
+        open.sort_unstable_by_key(|&n| Reverse(n));
+        let by = |tables| {
+            let (Some(n), Some(moves)) = (at(tables).node(root), at(tables).moves(root)) else {
+                return 0.0;
+            };
+            let n = n.max(known);
+            // By the first of them that is locked: those after it leave less.
+            let (mut sum, mut left) = (0.0, 1.0);
+            for &longer in open.iter().take_while(|&&longer| longer > n) {
+                sum += if longer == NEVER { 0.0 } else { left * lock * worth(longer, moves) };
+                left *= 1.0 - lock;
+            }
+            sum + if n == NEVER { 0.0 } else { left * worth(n, moves) }
+        };
         let mut sum = 0.0;
         for (set, tables) in self.tables.iter().enumerate() {
             let mut chance = 1.0;
@@ -198,6 +233,13 @@ impl BoundOf {
             }
         }
         sum
+    }
+}
+
+impl Tables {
+    /// How many entries they have.
+    fn len(&self) -> usize {
+        self.by_wish.iter().map(Table::len).sum::<usize>() + self.steps.len()
     }
 }
 

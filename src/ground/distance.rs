@@ -121,6 +121,11 @@ pub(super) struct Steps {
 }
 
 impl Steps {
+    /// How many entries there are.
+    pub(super) const fn len(&self) -> usize {
+        self.steps.len()
+    }
+
     /// The steps, at least 1; `None` when no number suffices. 1 when nothing is known.
     #[inline]
     pub(super) fn between(&self, robot: Place, thing: Place) -> Option<u32> {

@@ -5,14 +5,18 @@
 use super::compile::Compiled;
 use super::goal::Goal;
 use super::pairs::Pairs;
+use crate::domain::layout::Place;
 use crate::domain::{
     Action, Carry, Dynamics, Form, PackError, Packed, Rules, State, StateError, Walks,
 };
-use crate::mdp::{Leaps, Mdp, action_to, each_action};
+use crate::mdp::{Leaps, Mdp, each_action};
 use std::cell::{OnceCell, RefCell};
 
 /// Entries of tables that are looked at in a part of what makes bounds sharper.
 const ENTRIES: usize = 200;
+
+/// The number of the leap that only walks.
+const ARRIVE: u16 = u16::MAX;
 
 /// A goal to be earned from an initial state, under the rules of a world.
 #[derive(Clone, Debug)]
@@ -57,13 +61,14 @@ impl Task {
             && dynamics.is_deterministic(start)
             && [chances.slip(), chances.loss()] == [0.0; 2];
         let making = if is_sure { goal.pairs(&dynamics, start) } else { None };
+        let walks = RefCell::new(Walks::new(&dynamics));
         Ok(Self {
             dynamics,
             goal,
             start,
             has_leaps,
             is_sure,
-            walks: RefCell::default(),
+            walks,
             making: RefCell::new(making),
             pairs: OnceCell::new(),
         })
@@ -129,6 +134,19 @@ impl Task {
         let stand = walks.stand(&self.dynamics, state, carry);
         self.successors(stand, carry.action, out);
         self.dynamics.quotient(stand)
+    }
+
+    /// The nearest place to walk to at which the goal holds, and the steps there; never the robot's own.
+    fn nearest(&self, walks: &Walks, state: Packed) -> Option<(Place, u32)> {
+        if !self.goal.speaks_of_robot() {
+            return None;
+        }
+        let heading = self.dynamics.heading(state);
+        let is_end = |&(place, _): &(Place, u32)| {
+            let there = self.dynamics.with_agent(state, place, heading);
+            there.is_some_and(|there| self.is_terminal(there))
+        };
+        walks.reached().skip(1).find(is_end)
     }
 }
 
@@ -202,49 +220,39 @@ impl Mdp for Task {
         self.goal.parts(&self.dynamics, state)
     }
 
-    fn leaps(&self, state: Packed, out: &mut Leaps<Packed, Action>) {
+    fn leaps(&self, state: Packed, out: &mut Leaps<Packed>) {
         if !self.has_leaps {
             return each_action(self, state, out);
         }
         let slip = self.dynamics.rules().chances.slip();
         let mut walks = self.walks.borrow_mut();
-        walks.explore(&self.dynamics, state);
-        for carry in walks.carries(&self.dynamics, state) {
+        walks.explore(&self.dynamics, state, self.goal.speaks_of_robot());
+        for (number, carry) in walks.carries(&self.dynamics, state) {
             let here = self.ends(&walks, state, carry, &mut out.ends);
-            out.close(walks.first(&self.dynamics, carry), carry.cost, slip, here);
+            out.close(number, carry.cost, slip, here);
         }
-        if self.goal.speaks_of_robot() {
-            let there = |(place, cost)| {
-                let heading = self.dynamics.heading(state);
-                let there = self.dynamics.with_agent(state, place, heading)?;
-                self.is_terminal(there).then_some((place, cost, self.dynamics.quotient(there)))
-            };
-            if let Some((place, cost, there)) = walks.reached().skip(1).find_map(there) {
-                out.ends.push((there, 1.0 - slip));
-                if slip > 0.0 {
-                    out.ends.push((state, slip));
-                }
-                out.close(walks.toward(place), cost, slip, state);
+        if let Some((place, cost)) = self.nearest(&walks, state) {
+            let there = self.dynamics.with_agent(state, place, self.dynamics.heading(state));
+            out.ends.push((self.dynamics.quotient(there.unwrap_or(state)), 1.0 - slip));
+            if slip > 0.0 {
+                out.ends.push((state, slip));
             }
+            out.close(usize::from(ARRIVE), cost, slip, state);
         }
     }
 
-    fn way(&self, from: Packed, to: Packed, out: &mut Vec<Action>) {
+    fn way(&self, from: Packed, number: u16, out: &mut Vec<Action>) {
         if !self.has_leaps {
-            return out.extend(action_to(self, from, to));
+            return out.extend(self.actions().get(usize::from(number)));
         }
         let mut walks = self.walks.borrow_mut();
-        walks.explore(&self.dynamics, from);
-        let mut ends = Vec::new();
-        let mut leads = |carry: &Carry| {
-            ends.clear();
-            self.ends(&walks, from, *carry, &mut ends);
-            ends.iter().any(|end| end.0 == to)
-        };
-        let carries = walks.carries(&self.dynamics, from).filter(|carry| leads(carry));
-        match carries.min_by_key(|carry| carry.cost) {
-            Some(carry) => walks.carry(&self.dynamics, carry, out),
-            None => walks.walk(&self.dynamics, self.dynamics.agent(to), out),
+        walks.explore(&self.dynamics, from, self.goal.speaks_of_robot());
+        if number == ARRIVE {
+            if let Some((place, _)) = self.nearest(&walks, from) {
+                walks.walk(place, out);
+            }
+        } else if let Some(carry) = walks.numbered(&self.dynamics, from, usize::from(number)) {
+            walks.carry(&self.dynamics, carry, out);
         }
     }
 }

@@ -5,9 +5,9 @@ use std::ops::Range;
 
 /// A walk and what it ends in.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Leap<A> {
-    /// The first of its actions.
-    pub first: A,
+pub struct Leap {
+    /// What the problem knows it by among the leaps from the same state.
+    pub number: u16,
     /// How many actions it takes when all goes well, at least 1.
     pub cost: u32,
     /// The chance of each action but the last to change nothing; then it is tried again.
@@ -18,7 +18,7 @@ pub struct Leap<A> {
     pub ends: Range<usize>,
 }
 
-impl<A> Leap<A> {
+impl Leap {
     /// What each outcome is worth less for the actions before it, and more for those that are tried again: γ for a step
     /// that surely comes off, (γ − γ s) / (1 − γ s) for one that slips with probability s.
     #[must_use]
@@ -36,19 +36,19 @@ impl<A> Leap<A> {
 
 /// Leaps with their outcomes, kept to be used again.
 #[derive(Clone, Debug)]
-pub struct Leaps<S, A> {
-    all: Vec<Leap<A>>,
+pub struct Leaps<S> {
+    all: Vec<Leap>,
     /// The outcomes of all; those from the last leap's on belong to the next.
     pub ends: Vec<(S, f64)>,
 }
 
-impl<S, A> Default for Leaps<S, A> {
+impl<S> Default for Leaps<S> {
     fn default() -> Self {
         Self { all: Vec::new(), ends: Vec::new() }
     }
 }
 
-impl<S: Copy + Eq, A> Leaps<S, A> {
+impl<S: Copy + Eq> Leaps<S> {
     /// Forgets all.
     pub fn clear(&mut self) {
         self.all.clear();
@@ -57,7 +57,7 @@ impl<S: Copy + Eq, A> Leaps<S, A> {
 
     /// Makes a leap of the outcomes that were added since the last one; those that are `here`, where the last action is
     /// taken, are tried again. No leap if that never leads elsewhere.
-    pub fn close(&mut self, first: A, cost: u32, slip: f64, here: S) {
+    pub fn close(&mut self, number: usize, cost: u32, slip: f64, here: S) {
         let begin = self.all.last().map_or(0, |leap| leap.ends.end);
         let mut stay = 0.0;
         let mut kept = begin;
@@ -71,12 +71,13 @@ impl<S: Copy + Eq, A> Leaps<S, A> {
         }
         self.ends.truncate(kept);
         if kept > begin {
-            self.all.push(Leap { first, cost, slip, stay, ends: begin..kept });
+            let number = u16::try_from(number).unwrap_or(u16::MAX);
+            self.all.push(Leap { number, cost, slip, stay, ends: begin..kept });
         }
     }
 
     /// The leaps, each with its outcomes.
-    pub fn iter(&self) -> impl Iterator<Item = (&Leap<A>, &[(S, f64)])> {
+    pub fn iter(&self) -> impl Iterator<Item = (&Leap, &[(S, f64)])> {
         self.all.iter().map(|leap| (leap, &self.ends[leap.ends.clone()]))
     }
 }

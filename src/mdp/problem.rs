@@ -62,36 +62,22 @@ pub trait Mdp {
     }
     /// Appends ways on from a state that is not terminal such that some best policy takes no others: each action alone,
     /// unless the problem knows longer ones. A terminal state is on the way of none.
-    fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State, Self::Action>) {
+    fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State>) {
         each_action(self, state, out);
     }
-    /// Appends the actions of the shortest leap from one state to another.
-    fn way(&self, from: Self::State, to: Self::State, out: &mut Vec<Self::Action>) {
-        out.extend(action_to(self, from, to));
+    /// Appends the actions of the leap from a state that has this number, when all goes well.
+    fn way(&self, from: Self::State, number: u16, out: &mut Vec<Self::Action>) {
+        let _ = from;
+        out.extend(self.actions().get(usize::from(number)));
     }
 }
 
-/// The leaps of a problem that knows none but its actions.
-pub fn each_action<P: Mdp + ?Sized>(
-    problem: &P,
-    state: P::State,
-    out: &mut Leaps<P::State, P::Action>,
-) {
-    for &action in problem.actions() {
+/// The leaps of a problem that knows none but its actions, numbered as those.
+pub fn each_action<P: Mdp + ?Sized>(problem: &P, state: P::State, out: &mut Leaps<P::State>) {
+    for (number, &action) in problem.actions().iter().enumerate() {
         problem.successors(state, action, &mut out.ends);
-        out.close(action, 1, 0.0, state);
+        out.close(number, 1, 0.0, state);
     }
-}
-
-/// The action that may lead from one state to another.
-pub fn action_to<P: Mdp + ?Sized>(problem: &P, from: P::State, to: P::State) -> Option<P::Action> {
-    let mut ends = Vec::new();
-    let mut leads = |action: P::Action| {
-        ends.clear();
-        problem.successors(from, action, &mut ends);
-        ends.iter().any(|end| end.0 == to)
-    };
-    problem.actions().iter().copied().find(|&action| leads(action))
 }
 
 /// A problem that is lent, or shared, is a problem.
@@ -139,11 +125,11 @@ macro_rules! is_a_problem {
             fn sharpen(&self) -> bool {
                 (**self).sharpen()
             }
-            fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State, Self::Action>) {
+            fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State>) {
                 (**self).leaps(state, out);
             }
-            fn way(&self, from: Self::State, to: Self::State, out: &mut Vec<Self::Action>) {
-                (**self).way(from, to, out);
+            fn way(&self, from: Self::State, number: u16, out: &mut Vec<Self::Action>) {
+                (**self).way(from, number, out);
             }
         }
     )*};

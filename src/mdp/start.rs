@@ -54,10 +54,10 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     fn sharpen(&self) -> bool {
         self.problem.sharpen()
     }
-    fn leaps(&self, state: P::State, out: &mut Leaps<P::State, P::Action>) {
+    fn leaps(&self, state: P::State, out: &mut Leaps<P::State>) {
         self.problem.leaps(state, out);
     }
-    fn way(&self, from: P::State, to: P::State, out: &mut Vec<P::Action>) {
-        self.problem.way(from, to, out);
+    fn way(&self, from: P::State, number: u16, out: &mut Vec<P::Action>) {
+        self.problem.way(from, number, out);
     }
 }

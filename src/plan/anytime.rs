@@ -15,8 +15,8 @@ const STAGES: [(Stage, u64); 10] = [
     (Stage::Parts, 30_000),
     (Stage::Greedy, 100_000),
     (Stage::Sharpen, u64::MAX),
-    (Stage::Prove, 50_000),
-    (Stage::Parts, 100_000),
+    (Stage::Prove, 150_000),
+    (Stage::Parts, 60_000),
     (Stage::Improve(1, 2), 20_000),
     (Stage::Improve(2, 3), 40_000),
     (Stage::Improve(1, 1), 40_000),
@@ -190,11 +190,11 @@ impl<P: Mdp + Clone> AnyTime<P> {
     /// Ends with what is known.
     fn end(&mut self) -> Option<Outcome> {
         if let (None, Work::Search(search)) = (&self.plan, &self.work) {
-            self.toward = Some(search.toward());
+            self.toward = search.toward();
         }
         self.put_away();
         if self.plan.is_none() && self.toward.is_none() {
-            self.toward = Some(self.proof.toward());
+            self.toward = self.proof.toward();
         }
         Some(Outcome::Budget)
     }

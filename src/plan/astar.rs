@@ -46,7 +46,7 @@ pub struct AStar<P: Mdp> {
     expanded: u64,
     /// The node with the least to go among those expanded.
     nearest: u32,
-    leaps: Leaps<P::State, P::Action>,
+    leaps: Leaps<P::State>,
     /// Whether actions count that may go wrong, as if they did not.
     takes_chances: bool,
     plan: Option<Solution<P::State, P::Action>>,
@@ -220,7 +220,7 @@ impl<P: Mdp> AStar<P> {
             }
             if self.expanded >= budget.steps || self.kept() >= budget.states {
                 self.open.push(score, node);
-                self.plan = Some(self.toward());
+                self.plan = self.toward();
                 return Some(Outcome::Budget);
             }
             self.expanded += 1;
@@ -327,9 +327,20 @@ impl<P: Mdp> AStar<P> {
         self.index.find(key, |&n| self.nodes.state[n as usize] == state).is_some()
     }
 
+    /// Appends the actions of the shortest leap from one state to another.
+    fn way(&self, from: P::State, to: P::State, out: &mut Vec<P::Action>) {
+        let mut leaps = Leaps::default();
+        self.problem.leaps(from, &mut leaps);
+        let leads = |ends: &[(P::State, f64)]| ends.iter().any(|end| end.0 == to);
+        let leading = leaps.iter().filter(|(_, ends)| leads(ends));
+        if let Some((leap, _)) = leading.min_by_key(|(leap, _)| leap.cost) {
+            self.problem.way(from, leap.number, out);
+        }
+    }
+
     /// The way to the state that seemed nearest to a terminal one.
-    pub(super) fn toward(&self) -> Solution<P::State, P::Action> {
-        self.plan_to(self.nearest)
+    pub(super) fn toward(&self) -> Option<Solution<P::State, P::Action>> {
+        (self.kept() > 0).then(|| self.plan_to(self.nearest))
     }
 
     fn plan_to(&self, node: u32) -> Solution<P::State, P::Action> {
@@ -346,7 +357,7 @@ impl<P: Mdp> AStar<P> {
         for leap in ends.windows(2) {
             let (mut from, to) = (state(leap[0]), state(leap[1]));
             let begun = plan.actions.len();
-            self.problem.way(from, to, &mut plan.actions);
+            self.way(from, to, &mut plan.actions);
             for &action in &plan.actions[begun..plan.actions.len().max(begun + 1) - 1] {
                 outcomes.clear();
                 self.problem.successors(from, action, &mut outcomes);

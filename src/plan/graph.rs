@@ -32,15 +32,15 @@ pub(super) struct Graph<P: Mdp> {
     bounds: Vec<u32>,
     /// The rows of each state; none before it is expanded.
     rows: Vec<Range<u32>>,
-    /// The first action of each row, and how many it takes when all goes well.
-    actions: Vec<P::Action>,
+    /// What the problem knows the leap of each row by, and how many actions it takes when all goes well.
+    numbers: Vec<u16>,
     costs: Vec<u16>,
     /// Where the outcomes of each row begin; one more than there are rows.
     starts: Vec<u32>,
     targets: Vec<Id>,
     /// The probability of each outcome, less what the way there costs, over what staying takes.
     weights: Vec<f64>,
-    leaps: Leaps<P::State, P::Action>,
+    leaps: Leaps<P::State>,
 }
 
 impl<P: Mdp> Graph<P> {
@@ -53,7 +53,7 @@ impl<P: Mdp> Graph<P> {
             index: HashTable::new(),
             bounds: Vec::new(),
             rows: Vec::new(),
-            actions: Vec::new(),
+            numbers: Vec::new(),
             costs: Vec::new(),
             starts: vec![0],
             targets: Vec::new(),
@@ -118,9 +118,16 @@ impl<P: Mdp> Graph<P> {
         start as usize..end as usize
     }
 
-    /// The first action of a row.
-    pub(super) fn action(&self, row: usize) -> P::Action {
-        self.actions[row]
+    /// The first action of a row of a state.
+    pub(super) fn action(&self, id: Id, row: usize) -> Option<P::Action> {
+        self.first(self.state(id), self.numbers[row])
+    }
+
+    /// The first action of a leap.
+    fn first(&self, state: P::State, number: u16) -> Option<P::Action> {
+        let mut way = Vec::new();
+        self.problem.way(state, number, &mut way);
+        way.first().copied()
     }
 
     /// How many actions a row takes when all goes well.
@@ -150,7 +157,7 @@ impl<P: Mdp> Graph<P> {
 
     /// How many rows there are.
     pub(super) const fn n_rows(&self) -> usize {
-        self.actions.len()
+        self.numbers.len()
     }
 
     /// What a row is worth when arriving at each state is worth `worth`.
@@ -192,21 +199,25 @@ impl<P: Mdp> Graph<P> {
         let mut best = None;
         let mut most = 0.0;
         for (leap, ends) in leaps.iter() {
-            let worth =
-                |&(end, p): &(P::State, f64)| self.find(end).map_or(0.0, |id| p * worth(id));
+            let worth = |&(end, p): &(P::State, f64)| match self.find(end) {
+                Some(id) => p * worth(id),
+                // The nearest terminal state is another one than from where leaps begin.
+                None if self.problem.is_terminal(end) => p,
+                None => 0.0,
+            };
             let value = leap.scale(self.discount) * ends.iter().map(worth).sum::<f64>();
             if value > most {
                 most = value;
-                best = Some((leap.first, value));
+                best = Some((leap.number, value));
             }
         }
-        best
+        best.and_then(|(number, value)| Some((self.first(state, number)?, value)))
     }
 
     /// Works out the leaps from a state. Their outcomes are numbered on the way.
     pub(super) fn expand(&mut self, id: Id) {
         let state = self.state(id);
-        let first = self.actions.len();
+        let first = self.numbers.len();
         let mut leaps = std::mem::take(&mut self.leaps);
         leaps.clear();
         self.problem.leaps(state, &mut leaps);
@@ -225,12 +236,12 @@ impl<P: Mdp> Graph<P> {
                 self.weights.truncate(begin);
                 continue;
             }
-            self.actions.push(leap.first);
+            self.numbers.push(leap.number);
             self.costs.push(u16::try_from(leap.cost).unwrap_or(u16::MAX));
             self.starts.push(self.targets.len() as u32);
         }
         self.leaps = leaps;
-        self.rows[id as usize] = first as u32..self.actions.len() as u32;
+        self.rows[id as usize] = first as u32..self.numbers.len() as u32;
     }
 
     /// The number of a state, which it is given if it has none.

@@ -248,7 +248,7 @@ impl<P: Mdp + Clone> Policy<P::State, P::Action> for Lrtdp<P> {
         if let Some(id) = self.known(state) {
             let best = self.graph.best(id, &self.lower);
             let best = best.or_else(|| self.graph.best(id, &self.upper));
-            return best.map(|(row, _)| self.graph.action(row));
+            return best.and_then(|(row, _)| self.graph.action(id, row));
         }
         let ahead = |worth: &[f64]| self.graph.look(state, |id| worth[id as usize]);
         ahead(&self.lower).or_else(|| ahead(&self.upper)).map(|(action, _)| action)

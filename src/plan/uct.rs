@@ -279,7 +279,7 @@ impl<P: Mdp> Uct<P> {
 impl<P: Mdp> Policy<P::State, P::Action> for Uct<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
         match self.known(state) {
-            Some(id) => self.favourite(id).map(|row| self.graph.action(row)),
+            Some(id) => self.favourite(id).and_then(|row| self.graph.action(id, row)),
             None => self.ahead(state).map(|(action, _)| action),
         }
     }

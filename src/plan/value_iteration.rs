@@ -257,7 +257,10 @@ impl<P: Mdp> Policy<P::State, P::Action> for ValueIteration<P> {
             return None;
         }
         match self.known(state) {
-            Some(id) => self.graph.best(id, &self.worth).map(|(row, _)| self.graph.action(row)),
+            Some(id) => {
+                let best = self.graph.best(id, &self.worth);
+                best.and_then(|(row, _)| self.graph.action(id, row))
+            }
             None => self.ahead(state).map(|(action, _)| action),
         }
     }
