@@ -18,6 +18,8 @@ mod train;
 mod calibrate;
 #[path = "groundling/evaluate.rs"]
 mod evaluate;
+#[path = "groundling/compare.rs"]
+mod compare;
 #[path = "groundling/parse.rs"]
 mod parse;
 #[path = "groundling/holds.rs"]
@@ -41,6 +43,7 @@ const COMMANDS: &[Command] = &[
     train::COMMAND,
     calibrate::COMMAND,
     evaluate::COMMAND,
+    compare::COMMAND,
     parse::COMMAND,
     holds::COMMAND,
     plan::COMMAND,

@@ -27,6 +27,11 @@ mod exports {
             self.0.backend().name().to_owned()
         }
 
+        /// Whether the processor does a GPU's work.
+        pub fn is_software(&self) -> bool {
+            self.0.is_software()
+        }
+
         /// Draws a scene's numbers on a canvas of `width` by `height` device pixels.
         pub fn draw(&mut self, scene: &[f32], width: u32, height: u32) -> Result<(), JsError> {
             Ok(self.0.draw(scene, width, height)?)

@@ -11,7 +11,7 @@ import { axeFile, root } from './packages.mjs';
 /** The flows declared so far. */
 export const flows = [];
 
-/** Declares a flow; `settings` are those of a browser context (viewport, reducedMotion …). */
+/** Declares a flow; `settings` are those of a browser context (viewport, reducedMotion …), and `gpu: false` for one without. */
 export function flow(title, settings, body) {
   flows.push(body ? { title, settings, body } : { title, settings: {}, body: settings });
 }
@@ -39,6 +39,18 @@ export class Flow {
   /** Says something worth reading in the report. */
   note(words) {
     this.notes.push(words);
+  }
+
+  /** Lets the page take the rasteriser in software for a GPU, which it would spare. */
+  async pretendGpu() {
+    await this.context.addInitScript(() => {
+      const UNMASKED_RENDERER = 0x9246;
+      const { prototype } = WebGL2RenderingContext;
+      const own = prototype.getParameter;
+      prototype.getParameter = function getParameter(name) {
+        return name === UNMASKED_RENDERER ? 'a GPU, as far as flows go' : own.call(this, name);
+      };
+    });
   }
 
   /** Opens a page at `address`, watched from its first moment. */

@@ -60,7 +60,7 @@ export class Demo {
   /** Waits until a command can be sent. */
   async ready() {
     await this.t.until('the page is ready', async () =>
-      (await this.by('ask').count()) > 0 && this.by('ask').isEnabled());
+      (await this.by('ask').count()) > 0 && (await this.page.locator('form.say.main').getAttribute('aria-busy')) === 'false');
   }
 
   // Talking.

@@ -34,9 +34,11 @@ async function run({ title, settings, body }) {
   // Files come from the server, and steps jump, which takes a rasteriser in software less time; flows about these ask
   // for more.
   const usual = { viewport: { width: 1024, height: 720 }, serviceWorkers: 'block', reducedMotion: 'reduce' };
-  const context = await browser.newContext({ ...usual, ...settings });
+  const { gpu = true, ...own } = settings;
+  const context = await browser.newContext({ ...usual, ...own });
   context.setDefaultTimeout(20_000);
   const flow = new Flow(context, site.address);
+  if (gpu) await flow.pretendGpu();
   let timer;
   const late = new Promise((_, reject) => {
     timer = setTimeout(() => reject(new Error(`not done in ${SECONDS} s`)), SECONDS * 1000);

@@ -44,6 +44,7 @@ pub enum GpuError {
 /// One canvas and what draws on it.
 pub struct Gpu {
     backend: Backend,
+    is_software: bool,
     canvas: HtmlCanvasElement,
     surface: wgpu::Surface<'static>,
     device: wgpu::Device,
@@ -105,6 +106,7 @@ impl Gpu {
             ..Default::default()
         };
         let adapter = instance.request_adapter(&options).await.map_err(|e| missing(&e))?;
+        let is_software = adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
         let wanted = wgpu::DeviceDescriptor { required_limits: limits, ..Default::default() };
         let (device, queue) = adapter.request_device(&wanted).await.map_err(|e| missing(&e))?;
@@ -147,6 +149,7 @@ impl Gpu {
         });
         Ok(Self {
             backend,
+            is_software,
             canvas,
             surface,
             device,
@@ -165,6 +168,11 @@ impl Gpu {
     /// Which backend draws.
     pub const fn backend(&self) -> Backend {
         self.backend
+    }
+
+    /// Whether there is no GPU behind it: each picture then takes the processor a good part of a second.
+    pub const fn is_software(&self) -> bool {
+        self.is_software
     }
 
     /// Resolves with a reason when the GPU takes the canvas away, with null when the picture is dropped before: nobody

@@ -39,6 +39,8 @@ extern "C" {
     type Picture;
     #[wasm_bindgen(method, structural)]
     fn backend(this: &Picture) -> String;
+    #[wasm_bindgen(method, structural)]
+    fn is_software(this: &Picture) -> bool;
     #[wasm_bindgen(method, structural, catch)]
     fn draw(this: &Picture, scene: &Float32Array, w: u32, h: u32) -> Result<(), JsValue>;
     #[wasm_bindgen(method, structural)]
@@ -90,6 +92,11 @@ impl View {
     /// `webgpu` or `webgl2`.
     pub fn backend(&self) -> String {
         self.picture.backend()
+    }
+
+    /// Whether there is no GPU behind it: what moves is then better drawn by the page itself.
+    pub fn is_software(&self) -> bool {
+        self.picture.is_software()
     }
 
     /// Draws a scene, fitted into the canvas and centred, at `dpr` device pixels a CSS pixel. The canvas's CSS

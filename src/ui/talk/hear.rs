@@ -81,5 +81,5 @@ pub fn model_opened(state: &mut State, shared: &mut Shared, teach: bool) {
 /// Commands are understood otherwise from now on: what waits for that goes on, and what is typed is read again.
 pub fn can_hear(state: &mut State, shared: &mut Shared) {
     exchange::resume(state, shared);
-    ask::read(state, shared);
+    ask::begin(state, shared);
 }

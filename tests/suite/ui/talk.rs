@@ -1,6 +1,6 @@
 //! Talking: reading while typing, answering, playing, other readings, rules.
 
-use super::{Page, failed, no_plan, plan, reading, understood, world};
+use super::{Page, failed, model, no_plan, plan, reading, understood, world};
 use groundling::domain::Lock;
 use groundling::ui::app::Action;
 use groundling::ui::page::effect::{Effect, Timer};
@@ -10,7 +10,7 @@ use groundling::ui::talk::command::ask::is_asking;
 use groundling::ui::talk::watch::playback::Surprise;
 use groundling::ui::talk::watch::state::{Layer, Speed};
 use groundling::ui::talk::watch::values::RUNS;
-use groundling::worker::protocol::{Event, PlanText, Request, Runs, ValueMap, WorldRules};
+use groundling::worker::protocol::{Event, PlanText, Program, Request, Runs, ValueMap, WorldRules};
 
 #[test]
 fn what_is_typed_is_read_at_once_and_only_the_latest_counts() {
@@ -31,6 +31,31 @@ fn what_is_typed_is_read_at_once_and_only_the_latest_counts() {
     assert!(page.state.shared.document.said.is_none() && !page.state.shared.history.can_undo());
     page.act(talk::Action::Typed(String::new()));
     assert!(page.heard().is_none());
+}
+
+#[test]
+fn a_command_that_is_sent_early_is_asked_once_it_can_be() {
+    let mut page = Page::new();
+    let send = |page: &mut Page, command: &str| {
+        page.act(talk::Action::Typed(command.to_owned()));
+        page.act(talk::Action::Ask);
+    };
+    send(&mut page, "go");
+    assert!(page.state.talk.command.early && page.posted.is_empty());
+    // Who goes on typing has not sent that yet.
+    page.act(talk::Action::Typed("go to it".to_owned()));
+    assert!(!page.state.talk.command.early);
+    send(&mut page, "go to it");
+    page.hear(Program::Talker, 0, Event::Ready);
+    // Without a model it waits on, and says so.
+    page.act(Action::Fetched(Err("status 404".to_owned())));
+    assert!(!page.state.shared.can_ask_soon());
+    page.act(talk::Action::FetchModel);
+    page.act(Action::Fetched(Ok("the model".to_owned())));
+    page.answer(Event::Opened(model("the model")));
+    assert!(page.posted.iter().any(
+        |(_, _, request)| matches!(request, Request::Ask { command, .. } if command == "go to it")
+    ));
 }
 
 #[test]

@@ -7,6 +7,7 @@ use crate::ui::page::engine::Health;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
+use crate::ui::talk::words::Text;
 use crate::worker::protocol::{Request, WorldRules};
 
 /// Whether a command is being answered, or planned for.
@@ -24,6 +25,7 @@ pub fn question<'a>(state: &State, shared: &'a Shared) -> Option<&'a [usize]> {
 /// Another command stands in the box.
 pub(crate) fn typed(state: &mut State, shared: &mut Shared, command: &str) {
     state.command.input = command.chars().take(MOST_CHARACTERS).collect();
+    state.command.early = false;
     read(state, shared);
 }
 
@@ -50,7 +52,7 @@ pub(crate) fn ask_for(state: &mut State, shared: &mut Shared, command: String) {
 /// Sends the command in the box.
 pub(crate) fn ask(state: &mut State, shared: &mut Shared) {
     if !shared.can_ask() {
-        return;
+        return ask_soon(state, shared);
     }
     state.settle(shared);
     state.room.mode = Mode::Watch;
@@ -59,6 +61,23 @@ pub(crate) fn ask(state: &mut State, shared: &mut Shared) {
     shared.want(Effect::Reveal("scene"));
     let command = state.command.input.clone();
     request(state, shared, |world, rules| Request::Ask { command, state: world, rules });
+}
+
+/// Sent before the model has come: it is asked when that has.
+fn ask_soon(state: &mut State, shared: &mut Shared) {
+    state.command.early = shared.can_ask_soon() && !state.command.input.trim().is_empty();
+    if state.command.early {
+        shared.say(Text::of(shared.language).soon);
+    }
+}
+
+/// There is someone to hear: what was sent already is asked, what is being typed is read.
+pub(crate) fn begin(state: &mut State, shared: &mut Shared) {
+    if std::mem::take(&mut state.command.early) {
+        ask(state, shared);
+    } else {
+        read(state, shared);
+    }
 }
 
 /// Means the last command in another of its ways.

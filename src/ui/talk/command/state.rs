@@ -15,6 +15,8 @@ pub const MOST_CHARACTERS: usize = 1_000;
 pub struct Command {
     /// What stands in the command box.
     pub input: String,
+    /// Whether it was sent before there was anyone to hear it, and is asked as soon as there is.
+    pub early: bool,
     /// What it would mean, while it is typed.
     pub live: Option<Rc<Answer>>,
     /// Why the last command was not answered at all.

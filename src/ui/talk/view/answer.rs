@@ -21,7 +21,8 @@ use yew::{Callback, Html, classes, html};
 pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let Some(answer) = state.heard(shared) else {
-        return html! { <p class="answer hello">{ text.hello }</p> };
+        let words = if state.command.early { text.soon } else { text.hello };
+        return html! { <p class="answer hello" data-testid="hello">{ words }</p> };
     };
     let words = &answer.words;
     // Whether this is of a command that is being typed.

@@ -1,5 +1,5 @@
 //! The world's picture, moving: drawn by the renderer once it has come, as SVG until then and where there is no
-//! GPU or it was lost. A step glides from cell to cell; a jump, or a person who prefers less motion, does not.
+//! GPU, it was lost, or it is slow: without one the first picture, and whatever changes is then SVG. A step glides from cell to cell; a jump, or a person who prefers less motion, does not.
 //! Nothing is built or drawn while nothing changes. A pointer is told in cells.
 
 use super::observer::Observer;
@@ -86,6 +86,10 @@ impl Component for Canvas {
 
     fn changed(&mut self, ctx: &Context<Self>, old: &Props) -> bool {
         let new = ctx.props();
+        let alike = new.shown == old.shown && new.options == old.options;
+        if !alike && self.view.as_ref().is_some_and(View::is_software) {
+            self.draw_plainly();
+        }
         if old.shown != new.shown {
             let motion = Motion::between(&old.shown, &new.shown);
             // What a hand has put down is there already.

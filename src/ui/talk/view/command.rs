@@ -23,7 +23,7 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
     });
     html! {
         <>
-            <form class="say main" onsubmit={send}>
+            <form class="say main" onsubmit={send} aria-busy={(!shared.can_ask()).to_string()}>
                 <label class="unseen" for="command">{ text.what_to_do }</label>
                 <input id="command" type="text" lang="en" autocomplete="off" autocapitalize="off"
                     spellcheck="false" enterkeyhint="send" data-testid="command" value={state.command.input.clone()}
@@ -32,7 +32,7 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
                     <button type="button" class="primary" data-testid="stop"
                         onclick={act.reform(|_| Action::StopPlanning)}>{ text.stop }</button>
                 } else {
-                    <button type="submit" class="primary" data-testid="ask" disabled={!shared.can_ask()}>
+                    <button type="submit" class="primary" data-testid="ask" disabled={!shared.can_ask_soon()}>
                         { text.tell }
                     </button>
                 }

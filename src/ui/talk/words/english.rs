@@ -30,6 +30,7 @@ pub(super) static ENGLISH: Text = Text {
     less: "Less",
     unknown_example: "A word that I do not know yet: teach me",
     getting_ready: "Getting ready…",
+    soon: "One moment: I am getting ready, and then I will do it.",
     train_one: "Train one",
     the_words: "The words as I read them",
     it_means: "I will",

@@ -35,6 +35,7 @@ pub(super) static GERMAN: Text = Text {
     less: "Weniger",
     unknown_example: "Ein Wort, das ich noch nicht kenne: Bring es mir bei",
     getting_ready: "Gleich bereit…",
+    soon: "Einen Augenblick: Ich mache mich bereit, dann tue ich es.",
     train_one: "Eines trainieren",
     the_words: "Die Wörter, wie ich sie lese",
     it_means: "Ich werde",

@@ -36,6 +36,8 @@ pub struct Text {
     pub less: &'static str,
     pub unknown_example: &'static str,
     pub getting_ready: &'static str,
+    /// Said to who sent a command before there was anyone to hear it.
+    pub soon: &'static str,
     pub train_one: &'static str,
     pub the_words: &'static str,
     pub it_means: &'static str,
