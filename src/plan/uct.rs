@@ -236,11 +236,6 @@ impl<P: Mdp> Uct<P> {
         best.map(|(action, _)| action)
     }
 
-    /// The number of a state of which enough was seen to believe it.
-    fn known(&self, state: P::State) -> Option<Id> {
-        self.graph.find(state).filter(|&id| self.visits[id as usize] >= KNOWN)
-    }
-
     /// What trials through the best action of a state earned on average, as far as they came to anything.
     fn earned(&self, id: Id) -> Option<f64> {
         if self.graph.is_terminal(id) {
@@ -254,7 +249,7 @@ impl<P: Mdp> Uct<P> {
         (worth > 0.0).then_some(worth)
     }
 
-    /// What is best in a state on the way of a leap, and its worth.
+    /// What is best in a state by what its outcomes earned, as far as enough was seen of them; and its worth.
     fn ahead(&self, state: P::State) -> Option<(P::Action, f64)> {
         self.graph.look(state, |id| {
             let is_believed = self.visits[id as usize] >= KNOWN || self.graph.is_terminal(id);
@@ -278,10 +273,12 @@ impl<P: Mdp> Uct<P> {
 
 impl<P: Mdp> Policy<P::State, P::Action> for Uct<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
-        match self.known(state) {
-            Some(id) => self.favourite(id).and_then(|row| self.graph.action(id, row)),
-            None => self.ahead(state).map(|(action, _)| action),
-        }
+        // By what its outcomes earned, as on the way of a leap, so that the way is not left half-way for another.
+        let seen = || {
+            let id = self.graph.find(state).filter(|&id| self.visits[id as usize] >= KNOWN)?;
+            self.graph.action(id, self.favourite(id)?)
+        };
+        self.ahead(state).map(|(action, _)| action).or_else(seen)
     }
 
     /// What trials through its best action earned on average. That no trial came to anything proves nothing.

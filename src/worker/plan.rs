@@ -19,8 +19,8 @@ const ACTIONS: usize = 200;
 const REPORT: u32 = 16;
 /// What the page's planner may spend: some tens of seconds, and a few hundred megabytes at most.
 const BUDGET: (u64, usize) = (20_000_000, 1_500_000);
-/// The same where nothing is left to chance, and a plan is there at once: seconds.
-const SURE: u64 = 500_000;
+/// The same where nothing is left to chance, and a plan is there at once: about a second.
+const SURE: u64 = 250_000;
 /// A run that takes more actions is given up.
 const MOST_ACTIONS: usize = 2_000;
 /// A robot that has thought again so often is lost.
