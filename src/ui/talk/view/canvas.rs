@@ -1,5 +1,6 @@
-//! The world's picture, moving: drawn by the renderer once it has come, as SVG until then and where there is no
-//! GPU, it was lost, or it is slow: without one the first picture, and whatever changes is then SVG. A step glides from cell to cell; a jump, or a person who prefers less motion, does not.
+//! The world's picture, moving: drawn by the renderer once it has come, as SVG until then and where there is no GPU, it
+//! was lost or it is slow; a renderer without a GPU draws the first picture and SVG whatever changes. A step glides from
+//! cell to cell; a jump, or a person who prefers less motion, does not.
 //! Nothing is built or drawn while nothing changes. A pointer is told in cells.
 
 use super::observer::Observer;
@@ -86,8 +87,8 @@ impl Component for Canvas {
 
     fn changed(&mut self, ctx: &Context<Self>, old: &Props) -> bool {
         let new = ctx.props();
-        let alike = new.shown == old.shown && new.options == old.options;
-        if !alike && self.view.as_ref().is_some_and(View::is_software) {
+        let differs = (&new.shown, &new.options) != (&old.shown, &old.options);
+        if differs && self.view.as_ref().is_some_and(View::is_software) {
             self.draw_plainly();
         }
         if old.shown != new.shown {
@@ -100,17 +101,7 @@ impl Component for Canvas {
             self.next_frame(ctx);
         }
         // Whom to tell is asked when there is something to tell.
-        let Props {
-            shown,
-            options,
-            label,
-            interactive,
-            labels,
-            reduced_motion: _,
-            playing: _,
-            step_ms: _,
-            on_point: _,
-        } = new;
+        let Props { shown, options, label, interactive, labels, .. } = new;
         (shown, options, label, interactive, labels)
             != (&old.shown, &old.options, &old.label, &old.interactive, &old.labels)
     }
