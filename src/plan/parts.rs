@@ -5,8 +5,9 @@
 use super::astar::{AStar, Guide, Solution};
 use crate::mdp::{Mdp, Outcome, Settings, Solver};
 
-/// How often a part's bound counts, and how many states that may look at: to be short, then to get there at all.
-const TRIES: [(u32, u64); 2] = [(1, 1_000), (4, 5_000)];
+/// How often a part's bound counts, and how many states that may look at: to be short, and to get there at all while no
+/// plan is known.
+const TRIES: [(u32, u64); 2] = [(1, 3_000), (4, 5_000)];
 
 /// See the head of this file.
 pub(super) struct Parts<P: Mdp> {
@@ -88,7 +89,9 @@ impl<P: Mdp + Clone> Parts<P> {
                 whole.extend(rest);
                 self.open(whole);
             }
-            (Outcome::Budget, ..) if tried + 1 < TRIES.len() => self.look_for(part, tried + 1),
+            (Outcome::Budget, ..) if self.best.is_none() && tried + 1 < TRIES.len() => {
+                self.look_for(part, tried + 1);
+            }
             _ => {}
         }
     }

@@ -32,7 +32,7 @@ pub(crate) const COMMAND: Command = Command {
 
 /// What a solver may spend when a line does not say: seconds where nothing is left to chance, else minutes; and some
 /// hundred megabytes.
-const SURE_STEPS: u64 = 600_000;
+const SURE_STEPS: u64 = 500_000;
 const STEPS: u64 = 100_000_000;
 const STATES: usize = 1_800_000;
 /// The same for UCT, which always spends it all: seconds.
