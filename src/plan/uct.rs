@@ -6,7 +6,7 @@
 //! Invariant: the same problem and seed give the same tree on every machine.
 
 use super::graph::{Graph, Id};
-use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver, sample};
+use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver, StepByStep, sample};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -23,7 +23,8 @@ const KNOWN: u32 = 8;
 
 /// A solver at work.
 pub struct Uct<P: Mdp> {
-    graph: Graph<P>,
+    /// Of actions, for what trials saw is no bound: a leap left half-way might not be taken up again.
+    graph: Graph<StepByStep<P>>,
     settings: Settings,
     rng: Pcg64Mcg,
     /// Trials through each state, 0 before it is expanded.
@@ -43,7 +44,7 @@ impl<P: Mdp> Uct<P> {
     /// A solver that has done nothing yet.
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
-        let graph = Graph::new(problem, settings.discount);
+        let graph = Graph::new(StepByStep(problem), settings.discount);
         let outcome = match (graph.is_terminal(0), graph.is_dead(0)) {
             (true, _) => Some(Outcome::Solved),
             (_, true) => Some(Outcome::Unreachable),
@@ -67,7 +68,7 @@ impl<P: Mdp> Uct<P> {
     /// The problem that is solved.
     #[must_use]
     pub const fn problem(&self) -> &P {
-        self.graph.problem()
+        &self.graph.problem().0
     }
 
     /// How many trials were made.
@@ -236,28 +237,6 @@ impl<P: Mdp> Uct<P> {
         best.map(|(action, _)| action)
     }
 
-    /// What trials through the best action of a state earned on average, as far as they came to anything.
-    fn earned(&self, id: Id) -> Option<f64> {
-        if self.graph.is_terminal(id) {
-            return Some(1.0);
-        }
-        if self.graph.is_dead(id) {
-            return Some(0.0);
-        }
-        let row = self.favourite(id)?;
-        let worth = self.row_sums[row] / f64::from(self.row_visits[row]);
-        (worth > 0.0).then_some(worth)
-    }
-
-    /// What is best in a state by what its outcomes earned, as far as enough was seen of them; and its worth.
-    fn ahead(&self, state: P::State) -> Option<(P::Action, f64)> {
-        self.graph.look(state, |id| {
-            let is_believed = self.visits[id as usize] >= KNOWN || self.graph.is_terminal(id);
-            let earned = self.earned(id).filter(|_| is_believed).unwrap_or(0.0);
-            if self.graph.is_terminal(id) { earned } else { self.settings.discount * earned }
-        })
-    }
-
     /// The row that most trials took.
     fn favourite(&self, id: Id) -> Option<usize> {
         let mut best = None;
@@ -273,20 +252,23 @@ impl<P: Mdp> Uct<P> {
 
 impl<P: Mdp> Policy<P::State, P::Action> for Uct<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
-        // By what its outcomes earned, as on the way of a leap, so that the way is not left half-way for another.
-        let seen = || {
-            let id = self.graph.find(state).filter(|&id| self.visits[id as usize] >= KNOWN)?;
-            self.graph.action(id, self.favourite(id)?)
-        };
-        self.ahead(state).map(|(action, _)| action).or_else(seen)
+        let id = self.graph.find(state).filter(|&id| self.visits[id as usize] >= KNOWN)?;
+        self.favourite(id).and_then(|row| self.graph.action(id, row))
     }
 
-    /// What trials through its best action earned on average. That no trial came to anything proves nothing.
+    /// What trials through its best action earned on average.
     fn value(&self, state: P::State) -> Option<f64> {
-        match self.graph.find(state) {
-            Some(id) => self.earned(id),
-            None => self.ahead(state).map(|(_, worth)| worth),
+        let id = self.graph.find(state)?;
+        if self.graph.is_terminal(id) {
+            return Some(1.0);
         }
+        if self.graph.is_dead(id) {
+            return Some(0.0);
+        }
+        let row = self.favourite(id)?;
+        let worth = self.row_sums[row] / f64::from(self.row_visits[row]);
+        // That no trial came to anything proves nothing.
+        (worth > 0.0).then_some(worth)
     }
 }
 
