@@ -11,6 +11,7 @@ mod landmarks;
 mod cells;
 mod distance;
 mod wish;
+mod pairs;
 mod bound;
 mod compile;
 pub mod task;

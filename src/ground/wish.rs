@@ -84,7 +84,8 @@ impl Wish {
                 ground.robot(|p| holds(p, p))
             }
             Self::Inside { .. } | Self::Next { .. } => {
-                ground.carry(|_, object| holds(object, object))
+                let ends: Vec<bool> = dynamics.layout().places().map(|p| holds(p, p)).collect();
+                ground.carry(|_, object| ends[usize::from(object)])
             }
             Self::Beside { robot: true, .. } => ground.carry(holds),
             Self::Beside { robot: false, .. } => ground.two_objects(holds),

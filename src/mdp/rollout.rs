@@ -8,6 +8,7 @@ use super::simulate::sample;
 use super::solver::Solver;
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
+use rustc_hash::FxHashMap;
 
 /// What is run.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +50,8 @@ pub struct RolloutReport {
 
 /// Policies that are kept besides the first.
 const MOST_KEPT: usize = 32;
+/// Most states of which is kept what policies said.
+const MOST_SAID: usize = 100_000;
 /// Standard deviations that 95 % of a normal distribution lie within.
 const Z: f64 = 1.959_963_984_540_054;
 
@@ -61,6 +64,8 @@ pub struct Rollouts<P: Mdp, S, F> {
     make: F,
     /// The policy that is being made for the state.
     making: Option<S>,
+    /// What policies said where runs have been, for they may look ahead to say it.
+    said: FxHashMap<P::State, P::Action>,
     rng: Pcg64Mcg,
     buffer: Vec<(P::State, f64)>,
     state: P::State,
@@ -89,6 +94,7 @@ where
             policies: vec![policy],
             make,
             making: None,
+            said: FxHashMap::default(),
             rng: Pcg64Mcg::seed_from_u64(settings.seed),
             buffer: Vec::new(),
             state,
@@ -152,8 +158,14 @@ where
         if self.steps >= self.settings.most_steps {
             return self.end(false);
         }
-        match (0..self.policies.len()).find_map(|known| self.known_action(known)) {
-            Some(action) => self.take(action),
+        let known = self.said.get(&self.state).copied();
+        match known.or_else(|| (0..self.policies.len()).find_map(|i| self.known_action(i))) {
+            Some(action) => {
+                if known.is_none() && self.said.len() < MOST_SAID {
+                    self.said.insert(self.state, action);
+                }
+                self.take(action);
+            }
             None if self.policies.iter().any(|p| p.value(self.state) == Some(0.0)) => {
                 self.end(false)
             }

@@ -6,7 +6,7 @@
 //! Invariant: the same problem and seed give the same tree on every machine.
 
 use super::graph::{Graph, Id};
-use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver, sample};
+use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver, StepByStep, sample};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
@@ -23,7 +23,8 @@ const KNOWN: u32 = 8;
 
 /// A solver at work.
 pub struct Uct<P: Mdp> {
-    graph: Graph<P>,
+    /// Of actions, for what trials saw is no bound: a leap left half-way might not be taken up again.
+    graph: Graph<StepByStep<P>>,
     settings: Settings,
     rng: Pcg64Mcg,
     /// Trials through each state, 0 before it is expanded.
@@ -43,7 +44,7 @@ impl<P: Mdp> Uct<P> {
     /// A solver that has done nothing yet.
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
-        let graph = Graph::new(problem, settings.discount);
+        let graph = Graph::new(StepByStep(problem), settings.discount);
         let outcome = match (graph.is_terminal(0), graph.is_dead(0)) {
             (true, _) => Some(Outcome::Solved),
             (_, true) => Some(Outcome::Unreachable),
@@ -67,7 +68,7 @@ impl<P: Mdp> Uct<P> {
     /// The problem that is solved.
     #[must_use]
     pub const fn problem(&self) -> &P {
-        self.graph.problem()
+        &self.graph.problem().0
     }
 
     /// How many trials were made.
@@ -252,7 +253,7 @@ impl<P: Mdp> Uct<P> {
 impl<P: Mdp> Policy<P::State, P::Action> for Uct<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
         let id = self.graph.find(state).filter(|&id| self.visits[id as usize] >= KNOWN)?;
-        self.favourite(id).map(|row| self.graph.action(row))
+        self.favourite(id).and_then(|row| self.graph.action(id, row))
     }
 
     /// What trials through its best action earned on average.
@@ -296,6 +297,14 @@ impl<P: Mdp> Solver<P::State, P::Action> for Uct<P> {
             _ => (0.0, self.settings.worth(self.graph.bound(0))),
         };
         let (states, residual) = (self.graph.len(), f64::NAN);
-        Progress { states, steps: self.steps, backups: self.steps, residual, lower, upper }
+        Progress {
+            states,
+            steps: self.steps,
+            backups: self.steps,
+            residual,
+            lower,
+            upper,
+            least: self.graph.least(),
+        }
     }
 }

@@ -16,6 +16,8 @@ use std::rc::Rc;
 const STEPS: usize = 500;
 /// Most states that are worked out: some twenty megabytes, and a fraction of a second in a page.
 const STATES: usize = 100_000;
+/// Places of the map in a step of the job.
+const CELLS: usize = 100;
 /// Actions of runs in a step of the job.
 const ACTIONS: usize = 500;
 
@@ -26,6 +28,9 @@ pub(super) struct Valuing {
     around: Packed,
     /// All states on their way, unless they were worked out before.
     all: Option<ValueIteration<Problem>>,
+    /// The cells of the map so far, and how many places were looked at.
+    cells: Vec<CellValue>,
+    seen: usize,
 }
 
 impl Valuing {
@@ -37,16 +42,15 @@ impl Valuing {
         let all = planned.all.get().is_none().then(|| {
             let settings = Settings::default().with_budget(u64::MAX, STATES);
             let start = planned.task.initial();
-            ValueIteration::new(StartingAt::new(planned.task.clone(), start), settings)
+            ValueIteration::whole(StartingAt::new(planned.task.clone(), start), settings)
         });
-        Some(Valuing { planned, around, all })
+        Some(Valuing { planned, around, all, cells: Vec::new(), seen: 0 })
     }
 
     /// Does a bounded part; the map when it is there.
     pub(super) fn step(&mut self) -> Option<ValueMap> {
         if let Some(mut all) = self.all.take() {
-            let ended = all.step(STEPS).is_some();
-            if !ended && !all.is_partial() {
+            if all.step(STEPS).is_none() {
                 self.all = Some(all);
                 return None;
             }
@@ -54,22 +58,31 @@ impl Valuing {
             let kept = self.planned.all.set((!all.is_partial()).then_some(all));
             debug_assert!(kept.is_ok(), "the engine does one thing at a time");
         }
-        Some(match self.planned.all.get() {
-            Some(Some(all)) => self.map(all),
-            _ => self.map(&self.planned.solver),
-        })
-    }
-
-    fn map(&self, policy: &impl Policy<Packed, Action>) -> ValueMap {
-        let places = self.planned.task.dynamics().layout().places();
-        ValueMap { cells: places.filter_map(|place| self.cell(place, policy)).collect() }
+        let planned = self.planned.clone();
+        let places = planned.task.dynamics().layout().places();
+        let next = places.skip(self.seen).take(CELLS);
+        self.seen += CELLS;
+        let found: Vec<CellValue> = match planned.all.get() {
+            Some(Some(all)) => next.filter_map(|place| self.cell(place, all)).collect(),
+            _ => next.filter_map(|place| self.cell(place, &planned.solver)).collect(),
+        };
+        self.cells.extend(found);
+        let is_last = self.seen >= planned.task.dynamics().layout().len();
+        is_last.then(|| ValueMap { cells: std::mem::take(&mut self.cells) })
     }
 
     fn cell(&self, place: Place, policy: &impl Policy<Packed, Action>) -> Option<CellValue> {
         let task = &self.planned.task;
         let dynamics = task.dynamics();
-        let worth = |&heading: &Direction| {
-            let state = dynamics.quotient(dynamics.with_agent(self.around, place, heading)?);
+        let there = |heading: Direction| {
+            Some(dynamics.quotient(dynamics.with_agent(self.around, place, heading)?))
+        };
+        let worth = |(i, &heading): (usize, &Direction)| {
+            let state = there(heading)?;
+            // Facing another way is mostly the same state.
+            if Direction::ALL[..i].iter().any(|&before| there(before) == Some(state)) {
+                return None;
+            }
             let goal = task.is_terminal(state);
             let value = match task.heuristic(state) {
                 _ if goal => 1.0,
@@ -78,7 +91,7 @@ impl Valuing {
             };
             Some((value, goal, heading, policy.action(state).filter(|_| !goal && value > 0.0)))
         };
-        let all = Direction::ALL.iter().filter_map(worth);
+        let all = Direction::ALL.iter().enumerate().filter_map(worth);
         let (value, goal, facing, action) =
             all.reduce(|best, one| if one.0 > best.0 { one } else { best })?;
         let (x, y) = dynamics.layout().cell(place);

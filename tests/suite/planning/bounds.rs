@@ -3,9 +3,9 @@
 
 use super::goal;
 use crate::dynamics::chances::{Draws, random};
-use groundling::domain::{Plan, Rules, State, generate, text};
+use groundling::domain::{Blueprint, Chances, Color, Lock, Plan, Rules, State, generate, text};
 use groundling::ground::Task;
-use groundling::mdp::{Mdp, Outcome, Settings, Solver};
+use groundling::mdp::{self, Mdp, Outcome, Settings, Solver};
 use groundling::plan::AStar;
 
 fn object(state: &State, i: usize) -> String {
@@ -96,4 +96,40 @@ fn moves_of_several_objects_add_up() {
     }
     // By the largest part alone it would be 336,000.
     assert!(states < 200_000, "{states} states were looked at");
+}
+
+#[test]
+fn behind_many_doors_that_may_lock_bounds_keep_their_promises() {
+    let blueprint = Blueprint {
+        columns: 14,
+        rows: 14,
+        rooms: 8,
+        objects: 2,
+        lock: Lock::Unknown,
+        ..Blueprint::default()
+    };
+    let mut looked = 0;
+    for seed in 0..8 {
+        let Ok(mut state) = blueprint.build(seed) else { continue };
+        // More doors than sets of doors have tables.
+        if state.doors.len() < 7 {
+            continue;
+        }
+        let looks = [Color::Red, Color::Blue];
+        state.objects.iter_mut().zip(looks).for_each(|(object, look)| object.color = look);
+        for (i, room) in state.rooms.iter_mut().enumerate() {
+            room.color = looks.get(i).copied().unwrap_or(Color::Yellow);
+        }
+        let both = [(0, 0), (1, 1)]
+            .map(|(o, r)| format!("(in:<e,<e,t>> {} {})", object(&state, o), room(&state, r)));
+        for text in [both[0].clone(), format!("(and:<t*,t> {})", both.join(" "))] {
+            let chances = Chances::new(0.1, 0.3, 0.05).unwrap();
+            let rules = Rules { pull: true, chances, ..Rules::default() };
+            let task = Task::new(&goal(&text, &state), &state, rules).unwrap();
+            let seen = mdp::check(&task, 1_500, |_| true);
+            assert!(seen.is_ok(), "{seen:?}: {text}");
+            looked += seen.unwrap();
+        }
+    }
+    assert!(looked > 5_000, "{looked}");
 }

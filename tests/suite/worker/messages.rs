@@ -203,6 +203,7 @@ fn events() -> Vec<Event> {
         steps: 70,
         residual: 0.5,
         bounds: [0.25, 0.75],
+        least: 3,
     };
     let plan = PlanText {
         actions: vec!["north".to_owned()],
