@@ -22,6 +22,8 @@ mod evaluate;
 mod parse;
 #[path = "groundling/holds.rs"]
 mod holds;
+#[path = "groundling/equivalent.rs"]
+mod equivalent;
 #[path = "groundling/plan.rs"]
 mod plan;
 #[path = "groundling/reduce.rs"]
@@ -43,6 +45,7 @@ const COMMANDS: &[Command] = &[
     evaluate::COMMAND,
     parse::COMMAND,
     holds::COMMAND,
+    equivalent::COMMAND,
     plan::COMMAND,
     reduce::COMMAND,
     experiment::COMMAND,
