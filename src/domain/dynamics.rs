@@ -238,6 +238,26 @@ impl Dynamics {
         }
     }
 
+    /// The state with the robot and an object moved to these places, in compass form, as the [`Dynamics::quotient`] of
+    /// where the robot faces that object.
+    #[inline]
+    pub(super) fn moved(
+        &self,
+        packed: Packed,
+        object: usize,
+        [agent, to]: [Place; 2],
+        heading: Direction,
+    ) -> Packed {
+        let heading = if self.rules.pull { heading } else { Direction::North };
+        let moved = packed.with(SMALL, self.width, u128::from(agent));
+        facing(moved.with(self.object_shift(object), self.width, u128::from(to)), heading)
+    }
+
+    /// The state with the robot in a door that it found open, in compass form.
+    pub(super) fn through(&self, packed: Packed, door: Place, heading: Direction) -> Packed {
+        facing(self.agent_to(packed, door), heading)
+    }
+
     /// What an action tries, before anything goes wrong.
     pub(super) fn attempt(&self, packed: Packed, action: Action) -> Attempt {
         let heading = self.heading(packed);

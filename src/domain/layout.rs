@@ -114,6 +114,13 @@ impl Layout {
         self.neighbours[usize::from(place)][direction as usize]
     }
 
+    /// The places next to a place of this layout, by [`Direction`], or [`NOWHERE`].
+    #[inline]
+    #[must_use]
+    pub fn neighbours(&self, place: Place) -> [Place; 4] {
+        self.neighbours[usize::from(place)]
+    }
+
     /// The door that a place of this layout belongs to.
     #[inline]
     #[must_use]

@@ -9,7 +9,7 @@
 use super::distance::{Ground, Moves, Steps, Table};
 use super::wish::{Atom, Load, Node, Wishes, place};
 use crate::domain::layout::Place;
-use crate::domain::{Dynamics, Lock, Packed};
+use crate::domain::{Direction, Dynamics, Lock, Packed};
 use crate::mdp::power;
 use std::cmp::Reverse;
 
@@ -17,6 +17,8 @@ use std::cmp::Reverse;
 const MAX_ENTRIES: usize = 6_000_000;
 /// Most doors whose locks count.
 const MAX_SETS: usize = 5;
+/// Most loads of which all orders are tried.
+const MOST_ORDERED: usize = 5;
 
 /// The bounds of a goal.
 #[derive(Clone, Debug)]
@@ -45,7 +47,7 @@ impl BoundOf {
         initial: Packed,
     ) -> Self {
         let of = |packed: Packed| {
-            let ground = Ground::new(dynamics, packed);
+            let ground = Ground::new(dynamics, packed, wishes.are_together);
             let by_wish: Vec<Table> =
                 wishes.all.iter().map(|wish| wish.table(dynamics, &ground)).collect();
             let two = |table: &Table| matches!(table, Table::Fetch { .. });
@@ -89,10 +91,71 @@ impl BoundOf {
         dynamics: &Dynamics,
         packed: Packed,
     ) -> Option<u32> {
+        At { tables: self.of(dynamics, packed), atoms, dynamics, packed }.node(root)
+    }
+
+    /// The tables for the doors that are locked in a state.
+    fn of(&self, dynamics: &Dynamics, packed: Packed) -> &Tables {
         let is_locked = |door: usize| dynamics.lock(packed, door) == Some(Lock::Locked);
         let locked = self.doors.iter().enumerate().filter(|(_, door)| is_locked(**door));
-        let tables = &self.tables[locked.fold(0, |set, (i, _)| set | 1 << i)];
-        At { tables, atoms, dynamics, packed }.node(root)
+        &self.tables[locked.fold(0, |set, (i, _)| set | 1 << i)]
+    }
+
+    /// A lower bound on the actions until all loads are where they should be, by their moves; what two need is known
+    /// otherwise.
+    pub(super) fn sum(
+        &self,
+        loads: &[Load],
+        atoms: &[Atom],
+        dynamics: &Dynamics,
+        packed: Packed,
+    ) -> Option<u32> {
+        if loads.len() < 3 {
+            return Some(0);
+        }
+        At { tables: self.of(dynamics, packed), atoms, dynamics, packed }.together(loads)
+    }
+
+    /// A lower bound on the actions until a load is where it should be.
+    pub(super) fn part(
+        &self,
+        load: &Load,
+        atoms: &[Atom],
+        dynamics: &Dynamics,
+        packed: Packed,
+    ) -> Option<u32> {
+        let at = At { tables: self.of(dynamics, packed), atoms, dynamics, packed };
+        at.rest(load).map(|rest| if rest == 0 { 0 } else { at.brought(at.robot(), load).0.max(1) })
+    }
+
+    /// The loads that are not where they should be, each with the guess if it is brought first; the least first.
+    pub(super) fn parts(
+        &self,
+        loads: &[Load],
+        atoms: &[Atom],
+        dynamics: &Dynamics,
+        packed: Packed,
+    ) -> Vec<(u32, usize)> {
+        let at = At { tables: self.of(dynamics, packed), atoms, dynamics, packed };
+        let left = |load: &usize| at.rest(&loads[*load]) != Some(0);
+        let indices: Vec<usize> = (0..loads.len().min(64)).filter(left).collect();
+        let wanted: Vec<&Load> = indices.iter().map(|&load| &loads[load]).collect();
+        let mut parts: Vec<(u32, usize)> =
+            at.tours(at.robot(), &wanted).into_iter().zip(indices).collect();
+        parts.sort_unstable();
+        parts
+    }
+
+    /// A guess at the actions from a state to the goal at `root`, no less than the bound: what it takes to bring its
+    /// objects one after the other in the best order, as if none were in the way of another.
+    pub(super) fn guess(
+        &self,
+        root: &Node,
+        atoms: &[Atom],
+        dynamics: &Dynamics,
+        packed: Packed,
+    ) -> Option<u32> {
+        At { tables: self.of(dynamics, packed), atoms, dynamics, packed }.in_turn(root)
     }
 
     /// An upper bound on the discounted value of a state: what a robot would earn that knew beforehand which doors will
@@ -157,9 +220,8 @@ impl At<'_> {
             }
             Node::Any(any) => any.iter().filter_map(|n| self.node(n)).min(),
             Node::Atom(index) => {
-                let robot = (self.dynamics.agent(self.packed), self.dynamics.heading(self.packed));
                 let Tables { by_wish, steps, .. } = self.tables;
-                by_wish[self.atoms[*index].wish].bound(steps, robot, self.places(*index))
+                by_wish[self.atoms[*index].wish].bound(steps, self.robot(), self.places(*index))
             }
         }
     }
@@ -225,6 +287,77 @@ impl At<'_> {
             }
         }
         Some(if sum == 0 { 0 } else { sum + walk.saturating_sub(1) })
+    }
+
+    /// What a part of the goal needs when its objects are brought one after the other.
+    fn in_turn(&self, node: &Node) -> Option<u32> {
+        let least = self.node(node)?;
+        let guess = match node {
+            Node::All(all) => largest(all, |n| self.in_turn(n))?,
+            Node::Together(_, loads) => {
+                let left: Vec<&Load> =
+                    loads.iter().filter(|load| self.rest(load) != Some(0)).collect();
+                self.tours(self.robot(), &left).into_iter().min().unwrap_or(0)
+            }
+            Node::Any(any) => any.iter().filter_map(|n| self.in_turn(n)).min()?,
+            Node::Atom(_) => least,
+        };
+        Some(guess.max(least))
+    }
+
+    /// For each load, the actions to bring all of them one after the other beginning with it, in the best order; of many
+    /// the next one is always that which is nearest. Where the robot ends does not depend on where it came from.
+    fn tours(&self, robot: (Place, Direction), loads: &[&Load]) -> Vec<u32> {
+        let n = loads.len();
+        let first: Vec<_> = loads.iter().map(|load| self.brought(robot, load)).collect();
+        let then = |i: usize, j: usize| self.brought(first[i].1, loads[j]).0;
+        let costs: Vec<u32> = (0..n * n).map(|at| then(at / n, at % n)).collect();
+        if n > MOST_ORDERED {
+            let tour = |begin: usize| {
+                let (mut at, mut sum, mut left) = (begin, first[begin].0, (1_u64 << n) - 1);
+                loop {
+                    left &= !(1 << at);
+                    let others = (0..n).filter(|j| left >> j & 1 == 1);
+                    let Some(next) = others.min_by_key(|j| costs[at * n + j]) else { break sum };
+                    sum += costs[at * n + next];
+                    at = next;
+                }
+            };
+            return (0..n).map(tour).collect();
+        }
+        // By the set of loads that are left and the last one brought (Held and Karp 1962).
+        let mut rest = vec![0_u32; n << n];
+        for set in 1..1_usize << n {
+            for last in (0..n).filter(|last| set >> last & 1 == 0) {
+                let next = (0..n).filter(|j| set >> j & 1 == 1);
+                let best = next.map(|j| costs[last * n + j] + rest[(set & !(1 << j)) * n + j]);
+                rest[set * n + last] = best.min().unwrap_or(0);
+            }
+        }
+        let all = (1 << n) - 1;
+        (0..n).map(|i| first[i].0 + rest[(all & !(1 << i)) * n + i]).collect()
+    }
+
+    /// The actions to bring a load, and the robot's pose then.
+    fn brought(&self, robot: (Place, Direction), load: &Load) -> (u32, (Place, Direction)) {
+        let Tables { by_wish, steps, .. } = self.tables;
+        match load {
+            Load::One { object, wishes } => {
+                let at = self.dynamics.object(self.packed, *object);
+                let fetched = wishes.iter().filter_map(|&wish| by_wish[wish].fetched(robot, at));
+                fetched.max_by_key(|fetched| fetched.0).unwrap_or((0, robot))
+            }
+            Load::Two(index) => {
+                let places = self.places(*index);
+                let table = &by_wish[self.atoms[*index].wish];
+                (table.bound(steps, robot, places).unwrap_or(0), (places.0, robot.1))
+            }
+        }
+    }
+
+    /// Where the robot is, and which way it looks.
+    fn robot(&self) -> (Place, Direction) {
+        (self.dynamics.agent(self.packed), self.dynamics.heading(self.packed))
     }
 
     /// Where the things of an atom are.

@@ -3,10 +3,12 @@
 //! An object that never moves is a cell: what is said of it and a thing is said of that thing alone.
 
 use super::bound::BoundOf;
+use super::distance::Ground;
 use super::goal::{Formula, Goal};
+use super::pairs::Pairs;
 use super::predicate::Relation;
 use super::thing::{Entity, Thing};
-use super::wish::{Atom, Body, Node, Wish, Wishes, place};
+use super::wish::{Atom, Body, Load, Node, Wish, Wishes, place};
 use crate::domain::{Dynamics, Packed, State};
 
 /// A goal over packed states of one [`Dynamics`].
@@ -16,6 +18,8 @@ pub(super) struct Compiled {
     atoms: Vec<Atom>,
     wishes: Vec<Wish>,
     bound: BoundOf,
+    /// Whether it wants nothing but some places of some objects each, so that [`Pairs`] know all of it.
+    is_paired: bool,
 }
 
 impl Compiled {
@@ -31,7 +35,8 @@ impl Compiled {
         }
         wishes.load(&mut root, &atoms);
         let bound = BoundOf::new(&wishes, (&root, &atoms), dynamics, initial);
-        Self { root, atoms, wishes: wishes.all, bound }
+        let is_paired = is_paired(&root);
+        Self { root, atoms, wishes: wishes.all, bound, is_paired }
     }
 
     /// Whether no state whatever fulfils it: it asks for something of a thing that is not there.
@@ -42,6 +47,68 @@ impl Compiled {
     /// Whether it holds.
     pub(super) fn holds(&self, dynamics: &Dynamics, packed: Packed) -> bool {
         self.node_holds(&self.root, dynamics, packed)
+    }
+
+    /// Whether it depends on where the robot is.
+    pub(super) fn speaks_of_robot(&self) -> bool {
+        self.atoms.iter().any(|atom| atom.first == Body::Agent)
+    }
+
+    /// What makes the bound sharper, not made yet: see [`Pairs`]. The doors stay as they are in `initial`.
+    pub(super) fn pairs(&self, dynamics: &Dynamics, initial: Packed) -> Option<Pairs> {
+        let layout = dynamics.layout();
+        let wanted = self.loads().iter().filter_map(|load| match load {
+            Load::One { object, wishes } => {
+                let is_wanted = |place| {
+                    let cell = layout.cell(place);
+                    wishes.iter().all(|&wish| self.wishes[wish].holds(cell, cell))
+                };
+                Some((*object, layout.places().map(is_wanted).collect()))
+            }
+            Load::Two(_) => None,
+        });
+        let wanted: Vec<(usize, Vec<bool>)> = wanted.collect();
+        Pairs::new(dynamics, &Ground::new(dynamics, initial, false), &wanted)
+    }
+
+    /// A guess at the actions still needed: see [`BoundOf::guess`].
+    pub(super) fn estimate(&self, dynamics: &Dynamics, packed: Packed) -> Option<u32> {
+        self.bound.guess(&self.root, &self.atoms, dynamics, packed)
+    }
+
+    /// A lower bound on the actions still needed, with what pairs of objects need; `None` when no number suffices.
+    pub(super) fn bound_with(
+        &self,
+        pairs: &Pairs,
+        dynamics: &Dynamics,
+        packed: Packed,
+    ) -> Option<u32> {
+        let paired = pairs.bound(dynamics, packed)?;
+        let whole = if self.is_paired {
+            self.bound.sum(self.loads(), &self.atoms, dynamics, packed)?
+        } else {
+            self.bound(dynamics, packed)?
+        };
+        Some(whole.max(paired))
+    }
+
+    /// How many objects or pairs of objects it wants moved, all of them.
+    pub(super) fn n_parts(&self) -> usize {
+        self.loads().len().min(64)
+    }
+
+    fn loads(&self) -> &[Load] {
+        if let Node::Together(_, loads) = &self.root { loads } else { &[] }
+    }
+
+    /// A lower bound on the actions until one of them is where it should be.
+    pub(super) fn part(&self, index: usize, dynamics: &Dynamics, packed: Packed) -> Option<u32> {
+        self.bound.part(&self.loads()[index], &self.atoms, dynamics, packed)
+    }
+
+    /// Those that are not where they should be, each with the guess if it comes first; the least first.
+    pub(super) fn parts(&self, dynamics: &Dynamics, packed: Packed) -> Vec<(u32, usize)> {
+        self.bound.parts(self.loads(), &self.atoms, dynamics, packed)
     }
 
     /// A lower bound on the actions still needed; `None` when no number suffices.
@@ -67,6 +134,16 @@ impl Compiled {
             }
         }
     }
+}
+
+/// See [`Compiled::is_paired`].
+fn is_paired(root: &Node) -> bool {
+    let Node::Together(all, loads) = root else { return false };
+    let wishes = loads.iter().map(|load| match load {
+        Load::One { wishes, .. } => wishes.len(),
+        Load::Two(_) => 0,
+    });
+    all.len() == wishes.sum::<usize>() && all.iter().all(|node| matches!(node, Node::Atom(_)))
 }
 
 struct Compiler<'s> {

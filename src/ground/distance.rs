@@ -23,6 +23,8 @@ pub(super) struct Ground<'a> {
     headings: usize,
     /// Whether a place can be entered.
     opens: Vec<bool>,
+    /// Whether tables tell where the robot ends.
+    wants_ends: bool,
 }
 
 /// Actions still needed, by pose or places.
@@ -31,7 +33,8 @@ pub(super) enum Table {
     /// By the robot's pose.
     Robot { headings: usize, rest: Vec<u16> },
     /// By the robot's pose, times the number of places, and an object's place.
-    Carry { headings: usize, n: usize, rest: Vec<u16> },
+    /// `ends` has the pose that the robot ends in then, if it was wanted.
+    Carry { headings: usize, n: usize, rest: Vec<u16>, ends: Vec<u16> },
     /// Moves of either of two objects by their places.
     Fetch { n: usize, moves: Vec<u16> },
     /// Nothing is known but whether it is fulfilled.
@@ -50,7 +53,9 @@ impl Table {
         let (first, second) = (usize::from(one), usize::from(other));
         match self {
             Self::Robot { headings, rest } => finite(rest[pose(*headings, robot)]),
-            Self::Carry { headings, n, rest } => finite(rest[pose(*headings, robot) * n + second]),
+            Self::Carry { headings, n, rest, .. } => {
+                finite(rest[pose(*headings, robot) * n + second])
+            }
             Self::Fetch { n, moves } => match finite(moves[first * n + second])? {
                 0 => Some(0),
                 moves => {
@@ -60,6 +65,21 @@ impl Table {
             },
             Self::Unknown => Some(0),
         }
+    }
+
+    /// The actions for the robot with an object at these places, and the place and heading that it ends in; `None` where
+    /// these are not known.
+    #[inline]
+    pub(super) fn fetched(
+        &self,
+        robot: (Place, Direction),
+        object: Place,
+    ) -> Option<(u32, (Place, Direction))> {
+        let Self::Carry { headings, n, rest, ends } = self else { return None };
+        let at = pose(*headings, robot) * n + usize::from(object);
+        let end = usize::from(*ends.get(at)?);
+        let heading = if *headings == 1 { robot.1 } else { Direction::ALL[end % headings] };
+        Some((finite(rest[at])?, (Place::try_from(end / headings).ok()?, heading)))
     }
 
     /// How many entries it has.
@@ -122,7 +142,7 @@ impl Moves {
 }
 
 impl<'a> Ground<'a> {
-    pub(super) fn new(dynamics: &'a Dynamics, initial: Packed) -> Self {
+    pub(super) fn new(dynamics: &'a Dynamics, initial: Packed, wants_ends: bool) -> Self {
         let layout = dynamics.layout();
         let mut opens: Vec<bool> = layout.places().map(|p| dynamics.opens(initial, p)).collect();
         for object in (0..dynamics.n_objects()).filter(|&o| !dynamics.can_move(o)) {
@@ -132,7 +152,12 @@ impl<'a> Ground<'a> {
             Form::Compass => 1,
             Form::Robot => 4,
         };
-        Self { dynamics, pull: dynamics.rules().pull, headings, opens }
+        Self { dynamics, pull: dynamics.rules().pull, headings, opens, wants_ends }
+    }
+
+    /// By place, whether it can be entered.
+    pub(super) fn opens(&self) -> &[bool] {
+        &self.opens
     }
 
     /// How many places there are.
@@ -162,7 +187,11 @@ impl<'a> Ground<'a> {
             return Table::Unknown;
         }
         let n = self.len();
-        let mut search = Search::new(self, self.headings, n, self.pairs(goal));
+        let mut search = Search::new(self, self.headings, n, std::iter::empty());
+        if self.wants_ends && self.len() * self.headings < usize::from(u16::MAX) {
+            search.ends.resize(search.rest.len(), 0);
+        }
+        search.begin(self.pairs(goal));
         while let Some((agent, heading, object)) = search.next() {
             let enters = self.is_open(agent);
             let swaps = self.pull && enters && self.is_open(object);
@@ -183,7 +212,7 @@ impl<'a> Ground<'a> {
             }
             search.turn(agent, heading, object);
         }
-        Table::Carry { headings: self.headings, n, rest: search.rest }
+        Table::Carry { headings: self.headings, n, rest: search.rest, ends: search.ends }
     }
 
     /// Moves of two objects, one cell a move, until `goal` holds of them; and the robot's way to one.
@@ -293,8 +322,11 @@ struct Search {
     headings: usize,
     n: usize,
     rest: Vec<u16>,
+    /// The pose at the end, by pose and place; empty if it is not wanted.
+    ends: Vec<u16>,
     queue: VecDeque<(usize, Place)>,
     depth: u16,
+    end: Option<u16>,
 }
 
 impl Search {
@@ -306,19 +338,26 @@ impl Search {
         goals: impl Iterator<Item = (Place, Place)>,
     ) -> Self {
         let rest = vec![NEVER; ground.len() * headings * n];
-        let mut search = Self { headings, n, rest, queue: VecDeque::new(), depth: 0 };
+        let (ends, queue) = (Vec::new(), VecDeque::new());
+        let mut search = Self { headings, n, rest, ends, queue, depth: 0, end: None };
+        search.begin(goals);
+        search
+    }
+
+    fn begin(&mut self, goals: impl Iterator<Item = (Place, Place)>) {
         for (agent, thing) in goals {
-            for &heading in &Direction::ALL[..headings] {
-                search.reach((agent, heading), thing);
+            for &heading in &Direction::ALL[..self.headings] {
+                self.reach((agent, heading), thing);
             }
         }
-        search
     }
 
     /// The next place and heading of the robot, and place of the thing.
     fn next(&mut self) -> Option<(Place, usize, Place)> {
         let (pose, thing) = self.queue.pop_front()?;
-        self.depth = (self.rest[pose * self.n + usize::from(thing)] + 1).min(NEVER - 1);
+        let at = pose * self.n + usize::from(thing);
+        self.depth = (self.rest[at] + 1).min(NEVER - 1);
+        self.end = self.ends.get(at).copied();
         // A pose is made from a place, times at most four.
         let place = Place::try_from(pose / self.headings).unwrap_or(NOWHERE);
         Some((place, pose % self.headings, thing))
@@ -326,9 +365,12 @@ impl Search {
 
     fn reach(&mut self, robot: (Place, Direction), thing: Place) {
         let pose = pose(self.headings, robot);
-        let rest = &mut self.rest[pose * self.n + usize::from(thing)];
-        if *rest == NEVER {
-            *rest = self.depth;
+        let at = pose * self.n + usize::from(thing);
+        if self.rest[at] == NEVER {
+            self.rest[at] = self.depth;
+            if let Some(end) = self.ends.get_mut(at) {
+                *end = self.end.unwrap_or(pose as u16);
+            }
             self.queue.push_back((pose, thing));
         }
     }

@@ -17,6 +17,7 @@ mod landmarks;
 mod cells;
 mod distance;
 mod wish;
+mod pairs;
 mod bound;
 mod compile;
 pub mod task;

@@ -4,8 +4,15 @@
 
 use super::compile::Compiled;
 use super::goal::Goal;
-use crate::domain::{Action, Dynamics, PackError, Packed, Rules, State, StateError};
-use crate::mdp::Mdp;
+use super::pairs::Pairs;
+use crate::domain::{
+    Action, Carry, Dynamics, Form, PackError, Packed, Rules, State, StateError, Walks,
+};
+use crate::mdp::{Leaps, Mdp, action_to, each_action};
+use std::cell::{OnceCell, RefCell};
+
+/// Entries of tables that are looked at in a part of what makes bounds sharper.
+const ENTRIES: usize = 200;
 
 /// A goal to be earned from an initial state, under the rules of a world.
 #[derive(Clone, Debug)]
@@ -13,6 +20,14 @@ pub struct Task {
     dynamics: Dynamics,
     goal: Compiled,
     start: Packed,
+    /// Whether plans are made of leaps: walks that end in moving an object or in trying a door.
+    has_leaps: bool,
+    /// Whether nothing goes wrong on them.
+    is_sure: bool,
+    walks: RefCell<Walks>,
+    /// What makes the bound sharper while it is being made, and once it is.
+    making: RefCell<Option<Pairs>>,
+    pairs: OnceCell<Option<Pairs>>,
 }
 
 /// Why there is no task.
@@ -36,7 +51,22 @@ impl Task {
         let dynamics = Dynamics::new(initial, rules)?;
         let start = dynamics.pack(initial)?;
         let goal = Compiled::new(goal, &dynamics, initial, dynamics.quotient(start));
-        Ok(Self { dynamics, goal, start })
+        let Rules { form, chances, .. } = rules;
+        let has_leaps = form == Form::Compass && chances.slip() < 1.0;
+        let is_sure = has_leaps
+            && dynamics.is_deterministic(start)
+            && [chances.slip(), chances.loss()] == [0.0; 2];
+        let making = if is_sure { goal.pairs(&dynamics, start) } else { None };
+        Ok(Self {
+            dynamics,
+            goal,
+            start,
+            has_leaps,
+            is_sure,
+            walks: RefCell::default(),
+            making: RefCell::new(making),
+            pairs: OnceCell::new(),
+        })
     }
 
     /// The world's moves.
@@ -83,6 +113,25 @@ impl Task {
     }
 }
 
+impl Task {
+    /// Appends what may come of the last action of a carry; where it is taken.
+    fn ends(
+        &self,
+        walks: &Walks,
+        state: Packed,
+        carry: Carry,
+        out: &mut Vec<(Packed, f64)>,
+    ) -> Packed {
+        if self.is_sure {
+            out.push((carry.state, 1.0));
+            return state;
+        }
+        let stand = walks.stand(&self.dynamics, state, carry);
+        self.successors(stand, carry.action, out);
+        self.dynamics.quotient(stand)
+    }
+}
+
 impl Mdp for Task {
     type State = Packed;
     type Action = Action;
@@ -118,11 +167,85 @@ impl Mdp for Task {
     }
 
     fn heuristic(&self, state: Packed) -> Option<u32> {
-        self.goal.bound(&self.dynamics, state)
+        match self.pairs.get() {
+            Some(Some(pairs)) => self.goal.bound_with(pairs, &self.dynamics, state),
+            _ => self.goal.bound(&self.dynamics, state),
+        }
     }
 
     fn most(&self, state: Packed, discount: f64) -> f64 {
         self.goal.most(&self.dynamics, state, discount)
+    }
+
+    fn sharpen(&self) -> bool {
+        let mut making = self.making.borrow_mut();
+        if making.as_mut().is_none_or(|pairs| pairs.step(ENTRIES)) {
+            // Said twice, it is the same.
+            self.pairs.get_or_init(|| making.take());
+        }
+        self.pairs.get().is_some()
+    }
+
+    fn estimate(&self, state: Packed) -> Option<u32> {
+        self.goal.estimate(&self.dynamics, state)
+    }
+
+    fn n_parts(&self) -> usize {
+        self.goal.n_parts()
+    }
+
+    fn part(&self, index: usize, state: Packed) -> Option<u32> {
+        self.goal.part(index, &self.dynamics, state)
+    }
+
+    fn parts(&self, state: Packed) -> Vec<(u32, usize)> {
+        self.goal.parts(&self.dynamics, state)
+    }
+
+    fn leaps(&self, state: Packed, out: &mut Leaps<Packed, Action>) {
+        if !self.has_leaps {
+            return each_action(self, state, out);
+        }
+        let slip = self.dynamics.rules().chances.slip();
+        let mut walks = self.walks.borrow_mut();
+        walks.explore(&self.dynamics, state);
+        for carry in walks.carries(&self.dynamics, state) {
+            let here = self.ends(&walks, state, carry, &mut out.ends);
+            out.close(walks.first(&self.dynamics, carry), carry.cost, slip, here);
+        }
+        if self.goal.speaks_of_robot() {
+            let there = |(place, cost)| {
+                let heading = self.dynamics.heading(state);
+                let there = self.dynamics.with_agent(state, place, heading)?;
+                self.is_terminal(there).then_some((place, cost, self.dynamics.quotient(there)))
+            };
+            if let Some((place, cost, there)) = walks.reached().skip(1).find_map(there) {
+                out.ends.push((there, 1.0 - slip));
+                if slip > 0.0 {
+                    out.ends.push((state, slip));
+                }
+                out.close(walks.toward(place), cost, slip, state);
+            }
+        }
+    }
+
+    fn way(&self, from: Packed, to: Packed, out: &mut Vec<Action>) {
+        if !self.has_leaps {
+            return out.extend(action_to(self, from, to));
+        }
+        let mut walks = self.walks.borrow_mut();
+        walks.explore(&self.dynamics, from);
+        let mut ends = Vec::new();
+        let mut leads = |carry: &Carry| {
+            ends.clear();
+            self.ends(&walks, from, *carry, &mut ends);
+            ends.iter().any(|end| end.0 == to)
+        };
+        let carries = walks.carries(&self.dynamics, from).filter(|carry| leads(carry));
+        match carries.min_by_key(|carry| carry.cost) {
+            Some(carry) => walks.carry(&self.dynamics, carry, out),
+            None => walks.walk(&self.dynamics, self.dynamics.agent(to), out),
+        }
     }
 }
 

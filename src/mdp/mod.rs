@@ -1,6 +1,7 @@
 //! The problem interface between worlds and planners: what a Markov decision process is, here.
 //! A problem is an [`Mdp`]; a solver holds settings and a policy holds the result.
 
+pub mod leap;
 pub mod problem;
 pub mod solver;
 pub mod start;
@@ -9,7 +10,8 @@ pub mod rollout;
 pub mod check;
 
 pub use check::{Fault, check, check_draws};
-pub use problem::{Mdp, power};
+pub use leap::{Leap, Leaps, power};
+pub use problem::{Mdp, action_to, each_action};
 pub use rollout::{RolloutReport, RolloutSettings, Rollouts, wilson};
 pub use simulate::{sample, simulate};
 pub use solver::{Budget, DISCOUNT, Outcome, Policy, Progress, Settings, Solver};

@@ -1,6 +1,7 @@
 //! A goal-directed Markov decision process with finitely many actions: reward 1 on entering a
 //! terminal state, 0 otherwise (Williams et al., Section III).
 
+use super::leap::{Leaps, power};
 use std::hash::Hash;
 use std::rc::Rc;
 
@@ -35,20 +36,62 @@ pub trait Mdp {
     fn most(&self, state: Self::State, discount: f64) -> f64 {
         self.heuristic(state).map_or(0.0, |n| power(discount, n.saturating_sub(1)))
     }
+
+    /// A guess at the number of actions from `state`, nearer to it than the heuristic and no bound; `None` as there.
+    fn estimate(&self, state: Self::State) -> Option<u32> {
+        self.heuristic(state)
+    }
+    /// How many parts the goal has that can be reached one after the other; at most 64.
+    fn n_parts(&self) -> usize {
+        0
+    }
+    /// A lower bound on the actions until this part of the goal holds.
+    fn part(&self, index: usize, state: Self::State) -> Option<u32> {
+        let _ = index;
+        self.heuristic(state)
+    }
+    /// The parts that do not hold in `state`, with a guess at the actions in all if it comes first; the least first.
+    fn parts(&self, state: Self::State) -> Vec<(u32, usize)> {
+        let _ = state;
+        Vec::new()
+    }
+    /// Does a bounded part more of what makes the heuristic sharper; whether nothing more can be done. What it says
+    /// changes only when it is done.
+    fn sharpen(&self) -> bool {
+        true
+    }
+    /// Appends ways on from a state that is not terminal such that some best policy takes no others: each action alone,
+    /// unless the problem knows longer ones. A terminal state is on the way of none.
+    fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State, Self::Action>) {
+        each_action(self, state, out);
+    }
+    /// Appends the actions of the shortest leap from one state to another.
+    fn way(&self, from: Self::State, to: Self::State, out: &mut Vec<Self::Action>) {
+        out.extend(action_to(self, from, to));
+    }
 }
 
-/// `base` to the power of `n` by squaring: the same on every machine.
-#[must_use]
-pub fn power(base: f64, n: u32) -> f64 {
-    let (mut result, mut square, mut left) = (1.0, base, n);
-    while left > 0 {
-        if left & 1 == 1 {
-            result *= square;
-        }
-        square *= square;
-        left >>= 1;
+/// The leaps of a problem that knows none but its actions.
+pub fn each_action<P: Mdp + ?Sized>(
+    problem: &P,
+    state: P::State,
+    out: &mut Leaps<P::State, P::Action>,
+) {
+    for &action in problem.actions() {
+        problem.successors(state, action, &mut out.ends);
+        out.close(action, 1, 0.0, state);
     }
-    result
+}
+
+/// The action that may lead from one state to another.
+pub fn action_to<P: Mdp + ?Sized>(problem: &P, from: P::State, to: P::State) -> Option<P::Action> {
+    let mut ends = Vec::new();
+    let mut leads = |action: P::Action| {
+        ends.clear();
+        problem.successors(from, action, &mut ends);
+        ends.iter().any(|end| end.0 == to)
+    };
+    problem.actions().iter().copied().find(|&action| leads(action))
 }
 
 /// A problem that is lent, or shared, is a problem.
@@ -80,6 +123,27 @@ macro_rules! is_a_problem {
             }
             fn most(&self, state: Self::State, discount: f64) -> f64 {
                 (**self).most(state, discount)
+            }
+            fn estimate(&self, state: Self::State) -> Option<u32> {
+                (**self).estimate(state)
+            }
+            fn n_parts(&self) -> usize {
+                (**self).n_parts()
+            }
+            fn part(&self, index: usize, state: Self::State) -> Option<u32> {
+                (**self).part(index, state)
+            }
+            fn parts(&self, state: Self::State) -> Vec<(u32, usize)> {
+                (**self).parts(state)
+            }
+            fn sharpen(&self) -> bool {
+                (**self).sharpen()
+            }
+            fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State, Self::Action>) {
+                (**self).leaps(state, out);
+            }
+            fn way(&self, from: Self::State, to: Self::State, out: &mut Vec<Self::Action>) {
+                (**self).way(from, to, out);
             }
         }
     )*};

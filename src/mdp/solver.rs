@@ -3,7 +3,7 @@
 //! Values are discounted: V(s) = max over a of Σ p(s') · (1 if s' is terminal, else γ V(s')), so a plan of n sure
 //! actions is worth γ^(n−1); the initial state is worth 1 when it is terminal.
 
-use super::problem::power;
+use super::leap::power;
 
 /// The discount of a step in Williams et al.'s planner.
 pub const DISCOUNT: f64 = 0.99;
@@ -85,6 +85,8 @@ pub struct Progress {
     pub lower: f64,
     /// See `lower`.
     pub upper: f64,
+    /// No plan from the initial state is shorter, as far as is proved.
+    pub least: u32,
 }
 
 /// What to do where.

@@ -1,5 +1,6 @@
 //! The same problem begun elsewhere: what a robot plans in when the world did not do what it expected.
 
+use super::leap::Leaps;
 use super::problem::Mdp;
 
 /// A problem that begins in another state.
@@ -37,5 +38,26 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     }
     fn most(&self, state: P::State, discount: f64) -> f64 {
         self.problem.most(state, discount)
+    }
+    fn estimate(&self, state: P::State) -> Option<u32> {
+        self.problem.estimate(state)
+    }
+    fn n_parts(&self) -> usize {
+        self.problem.n_parts()
+    }
+    fn part(&self, index: usize, state: P::State) -> Option<u32> {
+        self.problem.part(index, state)
+    }
+    fn parts(&self, state: P::State) -> Vec<(u32, usize)> {
+        self.problem.parts(state)
+    }
+    fn sharpen(&self) -> bool {
+        self.problem.sharpen()
+    }
+    fn leaps(&self, state: P::State, out: &mut Leaps<P::State, P::Action>) {
+        self.problem.leaps(state, out);
+    }
+    fn way(&self, from: P::State, to: P::State, out: &mut Vec<P::Action>) {
+        self.problem.way(from, to, out);
     }
 }

@@ -3,7 +3,7 @@
 //! states as fit, which may prove that there is none; UCT when the budget ran out.
 //! A plan that A* finds before it meets chance is optimal all the same: every state that it left unexplored is bounded.
 
-use super::{AStar, Lrtdp, Uct, ValueIteration};
+use super::{AnyTime, Lrtdp, Uct, ValueIteration};
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -21,17 +21,17 @@ pub const SOLVERS: [&str; 4] = ["astar", "vi", "lrtdp", "uct"];
 /// One of the solvers.
 #[expect(missing_docs, reason = "the names say it")]
 pub enum AnySolver<P: Mdp> {
-    AStar(Box<AStar<P>>),
+    AStar(Box<AnyTime<P>>),
     ValueIteration(Box<ValueIteration<P>>),
     Lrtdp(Box<Lrtdp<P>>),
     Uct(Box<Uct<P>>),
 }
 
-impl<P: Mdp> AnySolver<P> {
+impl<P: Mdp + Clone> AnySolver<P> {
     /// The solver of this name (see [`SOLVERS`]); `None` when there is none.
     pub fn named(name: &str, problem: P, settings: Settings) -> Option<Self> {
         Some(match name {
-            "astar" => Self::AStar(Box::new(AStar::new(problem, settings))),
+            "astar" => Self::AStar(Box::new(AnyTime::new(problem, settings))),
             "vi" => Self::ValueIteration(Box::new(ValueIteration::new(problem, settings))),
             "lrtdp" => Self::Lrtdp(Box::new(Lrtdp::new(problem, settings))),
             "uct" => Self::Uct(Box::new(Uct::new(problem, settings))),
@@ -58,7 +58,7 @@ impl<P: Mdp> AnySolver<P> {
     }
 }
 
-impl<P: Mdp> Policy<P::State, P::Action> for AnySolver<P> {
+impl<P: Mdp + Clone> Policy<P::State, P::Action> for AnySolver<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
         self.solver().action(state)
     }
@@ -67,7 +67,7 @@ impl<P: Mdp> Policy<P::State, P::Action> for AnySolver<P> {
     }
 }
 
-impl<P: Mdp> Solver<P::State, P::Action> for AnySolver<P> {
+impl<P: Mdp + Clone> Solver<P::State, P::Action> for AnySolver<P> {
     fn name(&self) -> &'static str {
         self.solver().name()
     }
@@ -124,8 +124,9 @@ pub struct Auto<P: Mdp> {
     chosen: AnySolver<P>,
     /// Steps of the solvers before.
     spent: u64,
-    /// What they proved of the value of the initial state.
+    /// What they proved of the value of the initial state, and of the length of plans from there.
     proved: (f64, f64),
+    least: u32,
     outcome: Option<Outcome>,
 }
 
@@ -133,7 +134,7 @@ impl<P: Mdp + Clone> Auto<P> {
     /// A solver that has chosen nothing but to see whether there is chance. The problem is cloned: lend or share it.
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
-        let search = AStar::new(problem.clone(), reserved(settings, LAST_RESORT));
+        let search = AnyTime::new(problem.clone(), reserved(settings, LAST_RESORT));
         let chosen = AnySolver::AStar(Box::new(search));
         Self {
             problem,
@@ -142,6 +143,7 @@ impl<P: Mdp + Clone> Auto<P> {
             chosen,
             spent: 0,
             proved: (0.0, 1.0),
+            least: 0,
             outcome: None,
         }
     }
@@ -167,7 +169,7 @@ impl<P: Mdp + Clone> Auto<P> {
     fn change(&mut self, why: Why) {
         let progress = self.progress();
         self.spent = progress.steps;
-        self.proved = (progress.lower, progress.upper);
+        (self.proved, self.least) = ((progress.lower, progress.upper), progress.least);
         let left = self.left();
         let problem = self.problem.clone();
         self.why = why;
@@ -176,13 +178,13 @@ impl<P: Mdp + Clone> Auto<P> {
             Why::Small => {
                 let states = left.budget.states.min(ENUMERABLE);
                 let small = reserved(left.with_budget(left.budget.steps, states), LAST_RESORT);
-                AnySolver::ValueIteration(Box::new(ValueIteration::new(problem, small)))
+                AnySolver::ValueIteration(Box::new(ValueIteration::whole(problem, small)))
             }
             Why::Large(_) => AnySolver::Lrtdp(Box::new(Lrtdp::new(problem, reserved(left, 2)))),
             Why::Undecided => {
                 let states = left.budget.states.min(PROVABLE);
                 let all = reserved(left.with_budget(left.budget.steps, states), LAST_RESORT);
-                AnySolver::ValueIteration(Box::new(ValueIteration::new(problem, all)))
+                AnySolver::ValueIteration(Box::new(ValueIteration::whole(problem, all)))
             }
             Why::Spent => AnySolver::Uct(Box::new(Uct::new(problem, left))),
         };
@@ -190,16 +192,15 @@ impl<P: Mdp + Clone> Auto<P> {
 
     /// What comes after the present solver, if it is not the last.
     fn next(&self, outcome: Option<Outcome>) -> Option<Why> {
-        if let AnySolver::ValueIteration(solver) = &self.chosen
-            && solver.is_partial()
-        {
-            return Some(match self.why {
-                Why::Undecided => Why::Spent,
-                _ => Why::Large(ENUMERABLE.min(self.settings.budget.states)),
-            });
-        }
+        let is_partial = match &self.chosen {
+            AnySolver::ValueIteration(solver) => solver.is_partial(),
+            _ => false,
+        };
         match outcome? {
             Outcome::Unfit => Some(Why::Small),
+            Outcome::Budget if is_partial && self.why == Why::Small => {
+                Some(Why::Large(ENUMERABLE.min(self.settings.budget.states)))
+            }
             Outcome::Budget if self.why != Why::Spent && self.progress().lower == 0.0 => {
                 Some(if matches!(self.why, Why::Large(_)) { Why::Undecided } else { Why::Spent })
             }
@@ -214,7 +215,7 @@ const fn reserved(settings: Settings, share: u64) -> Settings {
     settings.with_budget(budget.steps - budget.steps / share, budget.states)
 }
 
-impl<P: Mdp> Policy<P::State, P::Action> for Auto<P> {
+impl<P: Mdp + Clone> Policy<P::State, P::Action> for Auto<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
         self.chosen.action(state)
     }
@@ -229,13 +230,10 @@ impl<P: Mdp + Clone> Solver<P::State, P::Action> for Auto<P> {
         self.chosen.name()
     }
 
+    /// A choice that proves wrong ends the step.
     fn step(&mut self, n: usize) -> Option<Outcome> {
-        // In parts, so that a choice that proves wrong is mended soon.
-        let mut left = n;
-        while self.outcome.is_none() && left > 0 {
-            let part = left.min(4_096);
-            left -= part;
-            let outcome = self.chosen.step(part);
+        if self.outcome.is_none() {
+            let outcome = self.chosen.step(n);
             match self.next(outcome) {
                 Some(why) => self.change(why),
                 None => self.outcome = outcome,
@@ -251,6 +249,7 @@ impl<P: Mdp + Clone> Solver<P::State, P::Action> for Auto<P> {
             steps: progress.steps + self.spent,
             lower: progress.lower.max(lower),
             upper: progress.upper.min(upper),
+            least: progress.least.max(self.least),
             ..progress
         }
     }

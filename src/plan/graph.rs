@@ -1,9 +1,10 @@
-//! The states of a problem that a solver has met, numbered in the order met, and what actions do in those that it has
-//! expanded: flat arrays, successors in compressed rows. Chances to stay where one is are solved for on the way in:
-//! V = R + γ p V + γ Σ p' V' is V = (R + γ Σ p' V') / (1 − γ p), so slips cost no iterations.
+//! The states of a problem that a solver has met, numbered in the order met, and the leaps from those that it has
+//! expanded: flat arrays, outcomes in compressed rows. Chances to stay where one is are solved for on the way in:
+//! V = R + γ p V + γ Σ p' V' is V = (R + γ Σ p' V') / (1 − γ p), so slips cost no iterations. States on the way of a leap
+//! have no number; what is best there is seen by looking one leap ahead.
 //! Invariant: what a state and its rows are depends on the problem and on the order of calls only.
 
-use crate::mdp::Mdp;
+use crate::mdp::{Leaps, Mdp};
 use hashbrown::HashTable;
 use rustc_hash::FxBuildHasher;
 use std::hash::BuildHasher;
@@ -15,6 +16,8 @@ pub(super) type Id = u32;
 /// The bound of a state from which nothing terminal can be reached.
 pub(super) const DEAD: u32 = u32::MAX;
 
+/// So many outcomes need as much room as a state.
+const OUTCOMES: usize = 4;
 /// Most states that have numbers, whatever a budget says.
 const MOST_STATES: usize = 1 << 30;
 
@@ -29,14 +32,15 @@ pub(super) struct Graph<P: Mdp> {
     bounds: Vec<u32>,
     /// The rows of each state; none before it is expanded.
     rows: Vec<Range<u32>>,
-    /// The action of each row, by its number.
-    actions: Vec<u8>,
+    /// The first action of each row, and how many it takes when all goes well.
+    actions: Vec<P::Action>,
+    costs: Vec<u16>,
     /// Where the outcomes of each row begin; one more than there are rows.
     starts: Vec<u32>,
     targets: Vec<Id>,
-    /// The probability of each outcome, over what staying takes.
+    /// The probability of each outcome, less what the way there costs, over what staying takes.
     weights: Vec<f64>,
-    buffer: Vec<(P::State, f64)>,
+    leaps: Leaps<P::State, P::Action>,
 }
 
 impl<P: Mdp> Graph<P> {
@@ -50,10 +54,11 @@ impl<P: Mdp> Graph<P> {
             bounds: Vec::new(),
             rows: Vec::new(),
             actions: Vec::new(),
+            costs: Vec::new(),
             starts: vec![0],
             targets: Vec::new(),
             weights: Vec::new(),
-            buffer: Vec::new(),
+            leaps: Leaps::default(),
         };
         let initial = graph.problem.initial();
         graph.intern(initial);
@@ -71,7 +76,7 @@ impl<P: Mdp> Graph<P> {
 
     /// Whether no more states fit a budget.
     pub(super) fn is_full(&self, most: usize) -> bool {
-        self.len() >= most.min(MOST_STATES)
+        self.len() + self.targets.len() / OUTCOMES >= most.min(MOST_STATES)
     }
 
     pub(super) fn state(&self, id: Id) -> P::State {
@@ -91,6 +96,11 @@ impl<P: Mdp> Graph<P> {
         self.bounds[id as usize]
     }
 
+    /// What [`Graph::bound`] says of the initial state; 0 when nothing can be reached.
+    pub(super) fn least(&self) -> u32 {
+        if self.is_dead(0) { 0 } else { self.bound(0) }
+    }
+
     /// What a state that is not terminal is worth at most.
     pub(super) fn most(&self, id: Id) -> f64 {
         self.problem.most(self.state(id), self.discount)
@@ -98,9 +108,8 @@ impl<P: Mdp> Graph<P> {
 
     /// The number of a state that was met.
     pub(super) fn find(&self, state: P::State) -> Option<Id> {
-        self.index
-            .find(FxBuildHasher.hash_one(state), |&id| self.states[id as usize] == state)
-            .copied()
+        let key = FxBuildHasher.hash_one(state);
+        self.index.find(key, |&id| self.states[id as usize] == state).copied()
     }
 
     /// The rows of a state; none unless it was expanded, and none that leaves it where it is or leads to death alone.
@@ -109,9 +118,14 @@ impl<P: Mdp> Graph<P> {
         start as usize..end as usize
     }
 
-    /// The action of a row.
+    /// The first action of a row.
     pub(super) fn action(&self, row: usize) -> P::Action {
-        self.problem.actions()[usize::from(self.actions[row])]
+        self.actions[row]
+    }
+
+    /// How many actions a row takes when all goes well.
+    pub(super) fn cost(&self, row: usize) -> u32 {
+        u32::from(self.costs[row])
     }
 
     /// The outcomes of a row, as numbers of edges.
@@ -124,12 +138,12 @@ impl<P: Mdp> Graph<P> {
         self.targets[edge]
     }
 
-    /// The weight of an edge: a probability, over what staying takes.
+    /// The weight of an edge: a probability, less what the way there costs, over what staying takes.
     pub(super) fn weight(&self, edge: usize) -> f64 {
         self.weights[edge]
     }
 
-    /// The sum of the weights of a row: 1, or less where staying takes a part.
+    /// The sum of the weights of a row: 1, but for what the way costs and what staying takes.
     pub(super) fn row_weight(&self, row: usize) -> f64 {
         self.weights[self.edges(row)].iter().sum()
     }
@@ -137,11 +151,6 @@ impl<P: Mdp> Graph<P> {
     /// How many rows there are.
     pub(super) const fn n_rows(&self) -> usize {
         self.actions.len()
-    }
-
-    /// How many edges there are.
-    pub(super) const fn n_edges(&self) -> usize {
-        self.targets.len()
     }
 
     /// What a row is worth when arriving at each state is worth `worth`.
@@ -171,61 +180,77 @@ impl<P: Mdp> Graph<P> {
         best
     }
 
-    /// Works out what actions do in a state. Its successors are numbered on the way.
+    /// What is best in a state without a number, or without rows: the leap whose outcomes that have numbers are worth most,
+    /// by what it is worth to arrive there; its first action, and its worth. `None` when none is worth anything.
+    pub(super) fn look(
+        &self,
+        state: P::State,
+        worth: impl Fn(Id) -> f64,
+    ) -> Option<(P::Action, f64)> {
+        let mut leaps = Leaps::default();
+        self.problem.leaps(state, &mut leaps);
+        let mut best = None;
+        let mut most = 0.0;
+        for (leap, ends) in leaps.iter() {
+            let worth =
+                |&(end, p): &(P::State, f64)| self.find(end).map_or(0.0, |id| p * worth(id));
+            let value = leap.scale(self.discount) * ends.iter().map(worth).sum::<f64>();
+            if value > most {
+                most = value;
+                best = Some((leap.first, value));
+            }
+        }
+        best
+    }
+
+    /// Works out the leaps from a state. Their outcomes are numbered on the way.
     pub(super) fn expand(&mut self, id: Id) {
         let state = self.state(id);
         let first = self.actions.len();
-        let mut buffer = std::mem::take(&mut self.buffer);
-        for number in 0..self.problem.actions().len() {
-            buffer.clear();
-            self.problem.successors(state, self.problem.actions()[number], &mut buffer);
-            let mut stay = 0.0;
-            let mut is_useful = false;
+        let mut leaps = std::mem::take(&mut self.leaps);
+        leaps.clear();
+        self.problem.leaps(state, &mut leaps);
+        for (leap, ends) in leaps.iter() {
             let begin = self.targets.len();
-            for &(next, probability) in &buffer {
-                if next == state {
-                    stay += probability;
-                    continue;
-                }
+            let scale = leap.scale(self.discount);
+            let mut is_useful = false;
+            for &(next, probability) in ends {
                 let target = self.intern(next);
                 is_useful |= !self.is_dead(target);
                 self.targets.push(target);
-                self.weights.push(probability);
+                self.weights.push(scale * probability);
             }
             if !is_useful {
                 self.targets.truncate(begin);
                 self.weights.truncate(begin);
                 continue;
             }
-            if stay > 0.0 {
-                let scale = 1.0 - self.discount * stay;
-                self.weights[begin..].iter_mut().for_each(|weight| *weight /= scale);
-            }
-            self.actions.push(number as u8);
+            self.actions.push(leap.first);
+            self.costs.push(u16::try_from(leap.cost).unwrap_or(u16::MAX));
             self.starts.push(self.targets.len() as u32);
         }
-        self.buffer = buffer;
+        self.leaps = leaps;
         self.rows[id as usize] = first as u32..self.actions.len() as u32;
     }
 
     /// The number of a state, which it is given if it has none.
     fn intern(&mut self, state: P::State) -> Id {
-        let key = FxBuildHasher.hash_one(state);
-        let states = &self.states;
+        let hash = |s: &P::State| FxBuildHasher.hash_one(s);
+        let (key, states) = (hash(&state), &self.states);
         if let Some(&id) = self.index.find(key, |&id| states[id as usize] == state) {
             return id;
         }
-        let id = states.len() as Id;
         let bound = if self.problem.is_terminal(state) {
             0
         } else {
             self.problem.heuristic(state).map_or(DEAD, |bound| bound.clamp(1, DEAD - 1))
         };
+        let id = self.states.len() as Id;
         self.states.push(state);
+        let states = &self.states;
+        self.index.insert_unique(key, id, |&id| hash(&states[id as usize]));
         self.bounds.push(bound);
         self.rows.push(0..0);
-        let states = &self.states;
-        self.index.insert_unique(key, id, |&id| FxBuildHasher.hash_one(states[id as usize]));
         id
     }
 }

@@ -5,12 +5,18 @@
 //! Invariants: lower ≤ V ≤ upper always; the policy is greedy in the lower bounds, so it earns at least those.
 //! Nothing is drawn at random. A step backs up one state.
 
+use super::astar::AStar;
 use super::graph::{Graph, Id};
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 use std::ops::Range;
 
 /// A state is solved when its gap is at most this share of ε, so that rounding cannot keep ε itself out of reach.
 const STRICTER: f64 = 0.9;
+
+/// Steps after which a way is looked for on which all goes well, if none was found: a policy that may get there.
+const LOST: u64 = 2_000;
+/// States that this looks at.
+const SCOUTED: u64 = 50_000;
 
 /// A solver at work.
 #[derive(Clone)]
@@ -34,10 +40,13 @@ pub struct Lrtdp<P: Mdp> {
     residual: f64,
     steps: u64,
     backups: u64,
+    /// Looks for a way on which all goes well.
+    scout: Option<Box<AStar<P>>>,
+    has_scouted: bool,
     outcome: Option<Outcome>,
 }
 
-impl<P: Mdp> Lrtdp<P> {
+impl<P: Mdp + Clone> Lrtdp<P> {
     /// A solver that has done nothing yet.
     #[must_use]
     pub fn new(problem: P, settings: Settings) -> Self {
@@ -56,6 +65,8 @@ impl<P: Mdp> Lrtdp<P> {
             residual: f64::NAN,
             steps: 0,
             backups: 0,
+            scout: None,
+            has_scouted: false,
             outcome: None,
         };
         solver.bound_new_states();
@@ -108,9 +119,23 @@ impl<P: Mdp> Lrtdp<P> {
                 Outcome::Budget
             });
         }
+        if let Some(scout) = &mut self.scout {
+            self.steps += 1;
+            if scout.step(1).is_some() {
+                self.follow();
+            }
+            return None;
+        }
         let Some((id, rest)) = self.path.last_mut() else {
             if self.is_solved(0) {
                 return Some(self.ended());
+            }
+            if self.steps >= LOST && self.lower[0] == 0.0 && !self.has_scouted {
+                self.has_scouted = true;
+                let budget = self.settings.budget;
+                let settings = self.settings.with_budget(SCOUTED, budget.states);
+                self.scout = Some(Box::new(AStar::hopeful(self.graph.problem().clone(), settings)));
+                return None;
             }
             self.residual = if self.trials > 0 { self.change } else { f64::NAN };
             self.change = 0.0;
@@ -130,6 +155,34 @@ impl<P: Mdp> Lrtdp<P> {
         None
     }
 
+    /// Expands the states of the way that was found, and backs them up from its end.
+    fn follow(&mut self) {
+        let Some(plan) = self.scout.take().and_then(|scout| scout.plan().cloned()) else { return };
+        let mut way = Vec::new();
+        for state in plan.states {
+            // On the way of a leap there are no numbers.
+            let Some(id) = self.graph.find(state) else { continue };
+            if self.graph.is_full(self.settings.budget.states) || self.graph.is_terminal(id) {
+                break;
+            }
+            if !self.is_expanded[id as usize] {
+                self.open(id);
+            }
+            way.push(id);
+        }
+        for id in way.into_iter().rev() {
+            self.back_up(id);
+        }
+    }
+
+    /// Expands a state.
+    fn open(&mut self, id: Id) {
+        self.graph.expand(id);
+        self.bound_new_states();
+        self.is_expanded[id as usize] = true;
+        self.n_open -= 1;
+    }
+
     /// Meets a state: backs it up and sets out along its best action.
     fn go_down(&mut self, id: Id) -> Option<Outcome> {
         self.met[id as usize] = self.trials;
@@ -137,10 +190,7 @@ impl<P: Mdp> Lrtdp<P> {
             if self.graph.is_full(self.settings.budget.states) {
                 return Some(Outcome::Budget);
             }
-            self.graph.expand(id);
-            self.bound_new_states();
-            self.is_expanded[id as usize] = true;
-            self.n_open -= 1;
+            self.open(id);
             if self.n_open == 0 && !self.has_end {
                 // That was all that can be reached.
                 self.upper.fill(0.0);
@@ -150,6 +200,15 @@ impl<P: Mdp> Lrtdp<P> {
         let best = self.back_up(id);
         self.path.push((id, best.map_or(0..0, |row| self.graph.edges(row))));
         None
+    }
+
+    /// The number of a state that was expanded, is terminal, or is worth nothing.
+    fn known(&self, state: P::State) -> Option<Id> {
+        let is_known = |&id: &Id| {
+            let most = self.upper[id as usize];
+            self.is_expanded[id as usize] || self.graph.is_terminal(id) || most <= 0.0
+        };
+        self.graph.find(state).filter(is_known)
     }
 
     fn is_solved(&self, id: Id) -> bool {
@@ -184,26 +243,33 @@ impl<P: Mdp> Lrtdp<P> {
     }
 }
 
-impl<P: Mdp> Policy<P::State, P::Action> for Lrtdp<P> {
+impl<P: Mdp + Clone> Policy<P::State, P::Action> for Lrtdp<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
-        let id = self.graph.find(state)?;
-        let best = self.graph.best(id, &self.lower).or_else(|| self.graph.best(id, &self.upper));
-        best.map(|(row, _)| self.graph.action(row))
+        if let Some(id) = self.known(state) {
+            let best = self.graph.best(id, &self.lower);
+            let best = best.or_else(|| self.graph.best(id, &self.upper));
+            return best.map(|(row, _)| self.graph.action(row));
+        }
+        let ahead = |worth: &[f64]| self.graph.look(state, |id| worth[id as usize]);
+        ahead(&self.lower).or_else(|| ahead(&self.upper)).map(|(action, _)| action)
     }
 
     /// What the policy earns at least.
     fn value(&self, state: P::State) -> Option<f64> {
-        let id = self.graph.find(state)?;
-        let (worth, most) = (self.lower[id as usize], self.upper[id as usize]);
-        if self.graph.is_terminal(id) {
-            return Some(worth);
+        if let Some(id) = self.known(state) {
+            let worth = self.lower[id as usize];
+            return Some(if self.graph.is_terminal(id) {
+                worth
+            } else {
+                worth / self.settings.discount
+            });
         }
-        // Of what was not expanded, only this is known: whether it is worth nothing.
-        (self.is_expanded[id as usize] || most <= 0.0).then(|| worth / self.settings.discount)
+        let ahead = self.graph.look(state, |id| self.lower[id as usize]);
+        ahead.map(|(_, worth)| worth)
     }
 }
 
-impl<P: Mdp> Solver<P::State, P::Action> for Lrtdp<P> {
+impl<P: Mdp + Clone> Solver<P::State, P::Action> for Lrtdp<P> {
     fn name(&self) -> &'static str {
         "lrtdp"
     }
@@ -228,6 +294,7 @@ impl<P: Mdp> Solver<P::State, P::Action> for Lrtdp<P> {
             residual: self.residual,
             lower,
             upper: lower + self.gap(0),
+            least: self.graph.least(),
         }
     }
 }

@@ -2,11 +2,14 @@
 
 mod graph;
 pub mod astar;
+mod parts;
+pub mod anytime;
 pub mod value_iteration;
 pub mod lrtdp;
 pub mod uct;
 pub mod choose;
 
+pub use anytime::AnyTime;
 pub use astar::{AStar, Solution};
 pub use choose::{AnySolver, Auto, SOLVERS, Why};
 pub use lrtdp::Lrtdp;

@@ -236,6 +236,33 @@ impl<P: Mdp> Uct<P> {
         best.map(|(action, _)| action)
     }
 
+    /// The number of a state of which enough was seen to believe it.
+    fn known(&self, state: P::State) -> Option<Id> {
+        self.graph.find(state).filter(|&id| self.visits[id as usize] >= KNOWN)
+    }
+
+    /// What trials through the best action of a state earned on average, as far as they came to anything.
+    fn earned(&self, id: Id) -> Option<f64> {
+        if self.graph.is_terminal(id) {
+            return Some(1.0);
+        }
+        if self.graph.is_dead(id) {
+            return Some(0.0);
+        }
+        let row = self.favourite(id)?;
+        let worth = self.row_sums[row] / f64::from(self.row_visits[row]);
+        (worth > 0.0).then_some(worth)
+    }
+
+    /// What is best in a state on the way of a leap, and its worth.
+    fn ahead(&self, state: P::State) -> Option<(P::Action, f64)> {
+        self.graph.look(state, |id| {
+            let is_believed = self.visits[id as usize] >= KNOWN || self.graph.is_terminal(id);
+            let earned = self.earned(id).filter(|_| is_believed).unwrap_or(0.0);
+            if self.graph.is_terminal(id) { earned } else { self.settings.discount * earned }
+        })
+    }
+
     /// The row that most trials took.
     fn favourite(&self, id: Id) -> Option<usize> {
         let mut best = None;
@@ -251,23 +278,18 @@ impl<P: Mdp> Uct<P> {
 
 impl<P: Mdp> Policy<P::State, P::Action> for Uct<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
-        let id = self.graph.find(state).filter(|&id| self.visits[id as usize] >= KNOWN)?;
-        self.favourite(id).map(|row| self.graph.action(row))
+        match self.known(state) {
+            Some(id) => self.favourite(id).map(|row| self.graph.action(row)),
+            None => self.ahead(state).map(|(action, _)| action),
+        }
     }
 
-    /// What trials through its best action earned on average.
+    /// What trials through its best action earned on average. That no trial came to anything proves nothing.
     fn value(&self, state: P::State) -> Option<f64> {
-        let id = self.graph.find(state)?;
-        if self.graph.is_terminal(id) {
-            return Some(1.0);
+        match self.graph.find(state) {
+            Some(id) => self.earned(id),
+            None => self.ahead(state).map(|(_, worth)| worth),
         }
-        if self.graph.is_dead(id) {
-            return Some(0.0);
-        }
-        let row = self.favourite(id)?;
-        let worth = self.row_sums[row] / f64::from(self.row_visits[row]);
-        // That no trial came to anything proves nothing.
-        (worth > 0.0).then_some(worth)
     }
 }
 
@@ -296,6 +318,14 @@ impl<P: Mdp> Solver<P::State, P::Action> for Uct<P> {
             _ => (0.0, self.settings.worth(self.graph.bound(0))),
         };
         let (states, residual) = (self.graph.len(), f64::NAN);
-        Progress { states, steps: self.steps, backups: self.steps, residual, lower, upper }
+        Progress {
+            states,
+            steps: self.steps,
+            backups: self.steps,
+            residual,
+            lower,
+            upper,
+            least: self.graph.least(),
+        }
     }
 }

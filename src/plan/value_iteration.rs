@@ -1,4 +1,4 @@
-//! Value iteration over the states that can be reached (Bellman 1957): all are numbered once, ordered by their
+//! Value iteration over the ends of leaps that can be reached (Bellman 1957): all are numbered once, ordered by their
 //! distance to the goal, and swept in that order with new values used at once (Gauss–Seidel), from below.
 //! It ends when γ / (1 − γ) times the largest change of a sweep is at most ε. Sure worlds are solved by one sweep.
 //! Values are discounted rewards in [0, 1]. A step expands, orders or backs up one state.
@@ -6,7 +6,7 @@
 use super::graph::{Graph, Id};
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 
-/// No edge.
+/// No edge, and no distance.
 const NONE: u32 = u32::MAX;
 
 /// A solver at work.
@@ -19,6 +19,8 @@ pub struct ValueIteration<P: Mdp> {
     cursor: usize,
     /// Whether the budget did not allow for all states.
     is_partial: bool,
+    /// Whether that is the end.
+    wants_all: bool,
     into: Into,
     /// States that can reach a terminal one, nearest first, terminal ones left out.
     order: Vec<Id>,
@@ -42,15 +44,33 @@ enum Stage {
     Sweep,
 }
 
-/// The edges into each state, as chains; kept until states are ordered.
+/// The edges into each state, as chains, and distances to the goal; kept until states are ordered.
 #[derive(Clone, Debug, Default)]
 struct Into {
     /// By state, its first edge in.
     first: Vec<u32>,
-    /// By edge, the next one into the same state, and the state that it leaves.
-    next: Vec<(u32, Id)>,
-    /// By state, whether it stands in the order.
-    is_ordered: Vec<bool>,
+    /// By edge, the next one into the same state, and its row.
+    next: Vec<(u32, u32)>,
+    /// By row, the state that it leaves.
+    from: Vec<Id>,
+    /// By state, the actions to a terminal one when all goes well, as far as is known.
+    distance: Vec<u32>,
+    /// Once at least, the states at each distance (Dial 1969).
+    at: Vec<Vec<Id>>,
+}
+
+impl Into {
+    /// Notes a way from a state to the goal, unless a shorter one is known.
+    fn reach(&mut self, id: Id, distance: u32) {
+        if distance < self.distance[id as usize] {
+            self.distance[id as usize] = distance;
+            let i = distance as usize;
+            if self.at.len() <= i {
+                self.at.resize_with(i + 1, Vec::new);
+            }
+            self.at[i].push(id);
+        }
+    }
 }
 
 impl<P: Mdp> ValueIteration<P> {
@@ -65,6 +85,7 @@ impl<P: Mdp> ValueIteration<P> {
             stage: Stage::Expand,
             cursor: 0,
             is_partial: false,
+            wants_all: false,
             into: Into::default(),
             order: Vec::new(),
             worth: Vec::new(),
@@ -75,6 +96,12 @@ impl<P: Mdp> ValueIteration<P> {
             sweeps: 0,
             outcome: None,
         }
+    }
+
+    /// A solver that ends as soon as there are more states than the budget allows.
+    #[must_use]
+    pub fn whole(problem: P, settings: Settings) -> Self {
+        Self { wants_all: true, ..Self::new(problem, settings) }
     }
 
     /// The problem that is solved.
@@ -107,52 +134,54 @@ impl<P: Mdp> ValueIteration<P> {
         }
         match self.stage {
             Stage::Expand => self.expand(),
-            Stage::Order => return self.order(),
-            Stage::Sweep => return self.back_up(),
+            Stage::Order => self.order(),
+            Stage::Sweep => self.back_up(),
         }
-        None
     }
 
     /// Expands the next state, and notes its edges at the states that they lead to.
-    fn expand(&mut self) {
+    fn expand(&mut self) -> Option<Outcome> {
         let all = self.graph.len();
         if self.cursor == all || self.graph.is_full(self.settings.budget.states) {
             self.is_partial = self.cursor < all;
+            if self.is_partial && self.wants_all {
+                return Some(Outcome::Budget);
+            }
             self.into.first.resize(all, NONE);
-            self.into.is_ordered.resize(all, false);
+            self.into.distance.resize(all, NONE);
             self.worth = vec![0.0; all];
-            self.order = (0..all as Id).filter(|&id| self.graph.is_terminal(id)).collect();
-            for &id in &self.order {
+            for id in (0..all as Id).filter(|&id| self.graph.is_terminal(id)) {
                 self.worth[id as usize] = 1.0;
+                self.into.reach(id, 0);
             }
             (self.stage, self.cursor) = (Stage::Order, 0);
-            return;
+            return None;
         }
         let id = self.cursor as Id;
         self.cursor += 1;
         if self.graph.is_terminal(id) || self.graph.is_dead(id) {
-            return;
+            return None;
         }
         self.steps += 1;
-        let first = self.graph.n_edges();
         self.graph.expand(id);
         self.into.first.resize(self.graph.len(), NONE);
-        for edge in first..self.graph.n_edges() {
-            let head = &mut self.into.first[self.graph.target(edge) as usize];
-            self.into.next.push((*head, id));
-            *head = edge as u32;
+        for row in self.graph.rows(id) {
+            self.into.from.push(id);
+            for edge in self.graph.edges(row) {
+                let head = &mut self.into.first[self.graph.target(edge) as usize];
+                self.into.next.push((*head, row as u32));
+                *head = edge as u32;
+            }
         }
+        None
     }
 
-    /// Adds the states that lead to the next one in order and were not there yet.
+    /// Adds the next state to the order, and sees how far those are that lead to it.
     fn order(&mut self) -> Option<Outcome> {
-        let Some(&id) = self.order.get(self.cursor) else {
+        let Some(at) = self.into.at.get_mut(self.cursor) else {
             self.into = Into::default();
             (self.stage, self.cursor) = (Stage::Sweep, 0);
-            let graph = &self.graph;
-            self.order.retain(|&id| !graph.is_terminal(id));
-            let is_reached = self.order.contains(&0);
-            if is_reached {
+            if self.order.contains(&0) {
                 return None;
             }
             if self.is_partial {
@@ -161,16 +190,37 @@ impl<P: Mdp> ValueIteration<P> {
             self.upper = 0.0;
             return Some(Outcome::Unreachable);
         };
-        self.cursor += 1;
-        let mut edge = self.into.first[id as usize];
-        while let Some(&(next, from)) = self.into.next.get(edge as usize) {
-            if !self.into.is_ordered[from as usize] {
-                self.into.is_ordered[from as usize] = true;
-                self.order.push(from);
+        let Some(id) = at.pop() else {
+            self.cursor += 1;
+            return None;
+        };
+        // Else it was found to be nearer.
+        if self.into.distance[id as usize] as usize == self.cursor {
+            if !self.graph.is_terminal(id) {
+                self.order.push(id);
             }
-            edge = next;
+            let mut edge = self.into.first[id as usize];
+            while let Some(&(next, row)) = self.into.next.get(edge as usize) {
+                let from = self.into.from[row as usize];
+                self.into.reach(from, self.cursor as u32 + self.graph.cost(row as usize));
+                edge = next;
+            }
         }
         None
+    }
+
+    /// The number of a state that was expanded, or of which nothing more is to be known.
+    fn known(&self, state: P::State) -> Option<Id> {
+        let is_end = |id| self.graph.is_terminal(id) || self.graph.is_dead(id);
+        let is_whole = !self.is_partial && self.stage != Stage::Expand;
+        let id = self.graph.find(state)?;
+        (is_whole || is_end(id) || !self.graph.rows(id).is_empty()).then_some(id)
+    }
+
+    /// What is best in a state on the way of a leap, and its worth.
+    fn ahead(&self, state: P::State) -> Option<(P::Action, f64)> {
+        let is_known = self.stage == Stage::Sweep;
+        is_known.then(|| self.graph.look(state, |id| self.worth[id as usize])).flatten()
     }
 
     /// Backs up the next state in order; at the end of a sweep, sees whether that was the last one.
@@ -203,19 +253,23 @@ impl<P: Mdp> ValueIteration<P> {
 
 impl<P: Mdp> Policy<P::State, P::Action> for ValueIteration<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
-        let id = self.graph.find(state).filter(|_| self.stage == Stage::Sweep)?;
-        self.graph.best(id, &self.worth).map(|(row, _)| self.graph.action(row))
+        if self.stage != Stage::Sweep {
+            return None;
+        }
+        match self.known(state) {
+            Some(id) => self.graph.best(id, &self.worth).map(|(row, _)| self.graph.action(row)),
+            None => self.ahead(state).map(|(action, _)| action),
+        }
     }
 
     fn value(&self, state: P::State) -> Option<f64> {
-        let id = self.graph.find(state)?;
+        let Some(id) = self.known(state) else {
+            return self.ahead(state).map(|(_, worth)| worth);
+        };
         if self.graph.is_terminal(id) {
             return Some(1.0);
         }
-        // What was not expanded may be worth something.
-        let is_known =
-            self.graph.is_dead(id) || !self.is_partial || !self.graph.rows(id).is_empty();
-        let is_known = is_known && (self.stage == Stage::Sweep || self.outcome.is_some());
+        let is_known = self.stage == Stage::Sweep || self.outcome.is_some();
         let worth = self.worth.get(id as usize).map_or(0.0, |w| w / self.settings.discount);
         // That nothing helps is known when it is proved, and not when sweeps have not come there yet.
         let is_proved = self.graph.is_dead(id)
@@ -248,6 +302,7 @@ impl<P: Mdp> Solver<P::State, P::Action> for ValueIteration<P> {
             residual: self.residual,
             lower: self.value(self.graph.state(0)).unwrap_or(0.0),
             upper: self.upper,
+            least: self.graph.least(),
         }
     }
 }

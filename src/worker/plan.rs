@@ -18,7 +18,9 @@ const ACTIONS: usize = 200;
 /// Steps of the job from one report to the next.
 const REPORT: u32 = 16;
 /// What the page's planner may spend: some tens of seconds, and a few hundred megabytes at most.
-const BUDGET: (u64, usize) = (20_000_000, 2_000_000);
+const BUDGET: (u64, usize) = (20_000_000, 1_500_000);
+/// The same where nothing is left to chance, and a plan is there at once: seconds.
+const SURE: u64 = 500_000;
 /// A run that takes more actions is given up.
 const MOST_ACTIONS: usize = 2_000;
 /// A robot that has thought again so often is lost.
@@ -184,7 +186,8 @@ impl Planning {
 
 /// A solver for the task begun in a state.
 pub(super) fn solver(task: &Rc<Task>, start: Packed) -> Auto<Problem> {
-    let settings = Settings::default().with_budget(BUDGET.0, BUDGET.1);
+    let steps = if task.is_deterministic() { SURE } else { BUDGET.0 };
+    let settings = Settings::default().with_budget(steps, BUDGET.1);
     Auto::new(StartingAt::new(task.clone(), start), settings)
 }
 
@@ -210,6 +213,7 @@ fn progress(solver: &Auto<Problem>) -> PlanProgress {
         steps: progress.steps,
         residual: if progress.residual.is_finite() { progress.residual } else { 0.0 },
         bounds: [progress.lower, progress.upper],
+        least: progress.least,
     }
 }
 

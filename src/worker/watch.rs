@@ -37,7 +37,7 @@ impl Valuing {
         let all = planned.all.get().is_none().then(|| {
             let settings = Settings::default().with_budget(u64::MAX, STATES);
             let start = planned.task.initial();
-            ValueIteration::new(StartingAt::new(planned.task.clone(), start), settings)
+            ValueIteration::whole(StartingAt::new(planned.task.clone(), start), settings)
         });
         Some(Valuing { planned, around, all })
     }
@@ -46,7 +46,7 @@ impl Valuing {
     pub(super) fn step(&mut self) -> Option<ValueMap> {
         if let Some(mut all) = self.all.take() {
             let ended = all.step(STEPS).is_some();
-            if !ended && !all.is_partial() {
+            if !ended {
                 self.all = Some(all);
                 return None;
             }

@@ -1,6 +1,8 @@
 //! Plans are shortest: against the conformance file, and on random worlds against a breadth-first search
 //! that has its own, plain idea of how the world moves.
 
+#[path = "planning/anytime.rs"]
+mod anytime;
 #[path = "planning/bounds.rs"]
 mod bounds;
 #[path = "planning/chance.rs"]
@@ -9,6 +11,8 @@ mod chance;
 mod forms;
 #[path = "planning/horizon.rs"]
 mod horizon;
+#[path = "planning/pump.rs"]
+mod pump;
 
 use groundling::domain::{
     Action, Cell, Direction, Lock, Plan, Rules, State, cell_at, generate, text,

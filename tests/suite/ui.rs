@@ -222,6 +222,7 @@ pub(crate) fn work() -> PlanProgress {
         steps: 9,
         residual: 0.0,
         bounds: [0.9, 0.9],
+        least: 9,
     }
 }
 

@@ -20,18 +20,21 @@ pub(crate) const COMMAND: Command = Command {
     details: "In:  a JSON line {\"goal\", \"initial\", \"pull\"?: false, \"robot\"?: false,\n\
               \x20    \"landmarks\"?: \"free\" | \"fixed\", \"lock_probability\"?: 0, \"loss_probability\"?: 0,\n\
               \x20    \"slip_probability\"?: 0, \"solver\"?: \"auto\" | \"astar\" | \"vi\" | \"lrtdp\" | \"uct\",\n\
-              \x20    \"steps\"?: most steps of the solver, \"rollouts\"?: runs of the policy, \"seed\"?: 0}\n\
+              \x20    \"steps\"?: most steps of the solver, \"epsilon\"?: 1e-6, \"rollouts\"?: runs of the policy, \"seed\"?: 0}\n\
               Out: {\"length\", \"actions\", \"value\", \"states\", \"seconds\", \"solver\", \"reason\"?,\n\
-              \x20    \"message\"?, \"why\"?, \"bounds\"?, \"rollouts\"?}. Length and actions where nothing is\n\
-              \x20    left to chance; `states` counts those kept; `reason` is no_referent, unreachable,\n\
-              \x20    budget or bad_goal; `bounds` hold the value when the budget ran out.\n\
+              \x20    \"message\"?, \"why\"?, \"least\"?, \"bounds\"?, \"rollouts\"?}. Length and actions where\n\
+              \x20    nothing is left to chance; `states` counts those kept; `reason` is no_referent,\n\
+              \x20    unreachable, budget or bad_goal. When the budget ran out no plan is shorter than\n\
+              \x20    `least`, and `bounds` hold the value.\n\
               \x20    A bad line is answered by {\"error\", \"line\"} in its place.",
     run,
 };
 
-/// What a solver may spend when a line does not say: minutes, and a gigabyte.
+/// What a solver may spend when a line does not say: seconds where nothing is left to chance, else minutes; and some
+/// hundred megabytes.
+const SURE_STEPS: u64 = 600_000;
 const STEPS: u64 = 100_000_000;
-const STATES: usize = 5_000_000;
+const STATES: usize = 1_800_000;
 /// The same for UCT, which always spends it all: seconds.
 const TRIALS: u64 = 2_000_000;
 /// Most rollouts of a line.
@@ -54,6 +57,7 @@ struct Question<'a> {
     slip_probability: Option<f64>,
     solver: Option<String>,
     steps: Option<u64>,
+    epsilon: Option<f64>,
     rollouts: Option<u32>,
     seed: Option<u64>,
 }
@@ -73,6 +77,8 @@ struct Answer {
     message: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     why: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    least: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     bounds: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -140,9 +146,17 @@ fn answer(line: &str) -> Result<Answer, String> {
         let reason = if is_lost { "no_referent" } else { "unreachable" };
         return Ok(Answer { value: Some(0.0), ..without(reason) });
     }
-    let steps = question.steps.unwrap_or(if solver == Some("uct") { TRIALS } else { STEPS });
+    let steps = question.steps.unwrap_or(match solver {
+        Some("uct") => TRIALS,
+        None | Some("astar") if task.is_deterministic() => SURE_STEPS,
+        _ => STEPS,
+    });
     let seed = question.seed.unwrap_or(0);
-    let settings = Settings { seed, ..Settings::default() }.with_budget(steps, STATES);
+    let epsilon = question.epsilon.unwrap_or(Settings::default().epsilon);
+    if !(epsilon > 0.0 && epsilon < 1.0) {
+        return Err(format!("epsilon: {epsilon} does not lie between 0 and 1"));
+    }
+    let settings = Settings { seed, epsilon, ..Settings::default() }.with_budget(steps, STATES);
     let make = |state| Making::new(solver, StartingAt::new(&task, state), settings);
     let mut first = make(task.initial());
     let outcome = first.run();
@@ -231,6 +245,7 @@ fn found(task: &Task, solver: &Making<'_>, outcome: Outcome, is_sure: bool) -> A
     if is_sure && let Some(actions) = followed(task, solver) {
         answer.length = Some(actions.len());
         if outcome != Outcome::Solved {
+            answer.least = Some(progress.least);
             answer.value = Some(actions.iter().skip(1).fold(1.0, |value, _| value * DISCOUNT));
         }
         answer.actions = Some(actions.iter().map(|action| action.name()).collect());

@@ -109,6 +109,8 @@ pub struct PlanProgress {
     pub residual: f64,
     /// Proved bounds on what the state at the beginning is worth.
     pub bounds: [f64; 2],
+    /// No plan is shorter, as far as is proved.
+    pub least: u32,
 }
 
 /// What the cells of a world are worth to the robot.

@@ -162,8 +162,8 @@ fn the_chooser_goes_by_chance_and_size_and_says_so() {
     let rooms = goals(&state).into_iter().skip(10).map(|text| goal(&text, &state));
     let near = rooms.into_iter().find(|goal| oracle(goal, &state, false) > Some(2)).unwrap();
     let large = Task::new(&near, &state, rules(0.1)).unwrap();
-    let few = settings.with_budget(1_000_000, 300);
-    assert_eq!(run(&large, few), ("lrtdp", Why::Large(300), Outcome::Solved));
+    let few = settings.with_budget(1_000_000, 60);
+    assert_eq!(run(&large, few), ("lrtdp", Why::Large(60), Outcome::Solved));
     assert_eq!(run(&odd, settings.with_budget(50, 1_000)), ("uct", Why::Spent, Outcome::Budget));
     assert_eq!(run(&sure, settings.with_budget(0, 0)), ("uct", Why::Spent, Outcome::Budget));
     let words = [Why::Sure, Why::Small, Why::Large(9), Why::Spent].map(|why| why.to_string());

@@ -173,6 +173,7 @@ fn events_come_back_from_the_wire() {
         steps: 70,
         residual: 0.5,
         bounds: [0.25, 0.75],
+        least: 3,
     };
     let plan = PlanText {
         actions: vec!["north".to_owned()],

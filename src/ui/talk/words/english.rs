@@ -210,6 +210,8 @@ pub(super) static ENGLISH: Text = Text {
     took: "Took",
     milliseconds: |seconds| format!("{:.0} ms", seconds * 1000.0),
     worth: "Worth of the start",
+    length: "Length",
+    near_shortest: |percent| format!("within {percent} % of the shortest"),
     replans: "Thought again",
     no_plan_yet: "There is no plan yet: tell it something.",
     try_many: |n| format!("Try it {n} times"),

@@ -236,6 +236,8 @@ pub(super) static GERMAN: Text = Text {
     took: "Dauer",
     milliseconds: |seconds| format!("{:.0} ms", seconds * 1000.0),
     worth: "Wert des Anfangs",
+    length: "Länge",
+    near_shortest: |percent| format!("höchstens {percent} % länger als der kürzeste"),
     replans: "Neu nachgedacht",
     no_plan_yet: "Es gibt noch keinen Plan: Sag ihm etwas.",
     try_many: |n| format!("{n}-mal versuchen"),

@@ -110,6 +110,8 @@ pub struct Text {
     pub took: &'static str,
     pub milliseconds: fn(f64) -> String,
     pub worth: &'static str,
+    pub length: &'static str,
+    pub near_shortest: fn(usize) -> String,
     pub replans: &'static str,
     pub no_plan_yet: &'static str,
     pub try_many: fn(u32) -> String,
