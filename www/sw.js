@@ -6,7 +6,7 @@ const scope = self.registration.scope;
 const STORE = `groundling ${scope}`;
 
 // What the page's programs load by themselves; what else there is, the page names.
-const LATER = ["engine.js", "learner.js", "learner_bg.wasm", "renderer.js", "renderer_bg.wasm", "cleanup.model", "words.txt"];
+const LATER = ["engine.js", "learner.js", "learner_bg.wasm", "renderer.js", "renderer_bg.wasm", "workbench.js", "workbench_bg.wasm", "workbench.css", "cleanup.model", "words.txt"];
 
 // The address that a copy is kept under: the engine's script is one file, whichever program it is asked for.
 function nameOf(address) {

@@ -18,6 +18,8 @@ mod train;
 mod calibrate;
 #[path = "groundling/evaluate.rs"]
 mod evaluate;
+#[path = "groundling/compare.rs"]
+mod compare;
 #[path = "groundling/parse.rs"]
 mod parse;
 #[path = "groundling/holds.rs"]
@@ -43,6 +45,7 @@ const COMMANDS: &[Command] = &[
     train::COMMAND,
     calibrate::COMMAND,
     evaluate::COMMAND,
+    compare::COMMAND,
     parse::COMMAND,
     holds::COMMAND,
     equivalent::COMMAND,

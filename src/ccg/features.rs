@@ -5,6 +5,7 @@ use super::combinator::RuleId;
 use super::lexicon::{EntryId, LexemeId, TemplateId};
 use crate::logic::{ConstantId, Node, Sorts, TermId, Terms, ty};
 use rustc_hash::FxHashMap;
+use serde::{Deserialize, Serialize};
 
 /// What a parse can be scored by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -50,6 +51,23 @@ impl Feature {
         )
     }
 
+    /// Its kind, if learning can do without it.
+    pub fn kind(self) -> Option<Kind> {
+        Some(match self {
+            Feature::Lexeme(_) => Kind::Lexeme,
+            Feature::Template(_) => Kind::Template,
+            Feature::Entry(_) => Kind::Entry,
+            Feature::Rule(_) => Kind::Rule,
+            Feature::Pair(..) => Kind::Pair,
+            Feature::Conjoined(..) => Kind::Conjoined,
+            Feature::Alone(_) => Kind::Alone,
+            Feature::Head(..) | Feature::Heads(..) => Kind::Head,
+            Feature::Skip | Feature::Dropped | Feature::Lost | Feature::Far | Feature::Measure => {
+                return None;
+            }
+        })
+    }
+
     /// How much one occurrence counts.
     pub fn scale(self) -> f64 {
         match self {
@@ -67,6 +85,72 @@ impl Feature {
             | Feature::Conjoined(..)
             | Feature::Alone(_) => 1.0,
         }
+    }
+}
+
+/// A kind of features that learning can do without, to see what they are good for. What it costs to leave words out is
+/// none: without it nothing would be said.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[expect(missing_docs, reason = "as of `Feature`; both of heads are one")]
+pub enum Kind {
+    Lexeme,
+    Template,
+    Entry,
+    Rule,
+    Pair,
+    Conjoined,
+    Alone,
+    Head,
+}
+
+impl Kind {
+    /// All kinds, by name.
+    pub const ALL: [(&'static str, Kind); 8] = [
+        ("lexeme", Kind::Lexeme),
+        ("template", Kind::Template),
+        ("entry", Kind::Entry),
+        ("rule", Kind::Rule),
+        ("pair", Kind::Pair),
+        ("conjoined", Kind::Conjoined),
+        ("alone", Kind::Alone),
+        ("head", Kind::Head),
+    ];
+
+    /// The name.
+    pub fn name(self) -> &'static str {
+        Kind::ALL.iter().find(|(_, kind)| *kind == self).map_or("", |(name, _)| name)
+    }
+}
+
+/// Some kinds of features.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Kinds(u8);
+
+impl Kinds {
+    /// None.
+    pub const NONE: Kinds = Kinds(0);
+
+    /// Whether there is none.
+    pub fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// Whether a feature is of one of them.
+    pub fn has(self, feature: Feature) -> bool {
+        self.0 != 0 && feature.kind().is_some_and(|kind| self.0 & 1 << kind as u8 != 0)
+    }
+
+    /// The kinds, in their order.
+    pub fn iter(self) -> impl Iterator<Item = Kind> {
+        let kinds = Kind::ALL.into_iter().map(|(_, kind)| kind);
+        kinds.filter(move |&kind| self.0 & 1 << kind as u8 != 0)
+    }
+}
+
+impl FromIterator<Kind> for Kinds {
+    fn from_iter<T: IntoIterator<Item = Kind>>(kinds: T) -> Kinds {
+        Kinds(kinds.into_iter().fold(0, |bits, kind| bits | 1 << kind as u8))
     }
 }
 
@@ -111,6 +195,20 @@ impl Features {
     /// What one occurrence of the feature adds to a score: its weight times its scale.
     pub fn value(&self, feature: Feature) -> f64 {
         self.index.get(&feature).map_or(0.0, |&id| self.weights[id.0 as usize] * feature.scale())
+    }
+
+    /// The feature behind an id.
+    pub fn feature(&self, id: FeatureId) -> Feature {
+        self.keys[id.0 as usize]
+    }
+
+    /// Sets the weights of some kinds to 0.
+    pub fn silence(&mut self, kinds: Kinds) {
+        for (&key, weight) in self.keys.iter().zip(&mut self.weights) {
+            if kinds.has(key) {
+                *weight = 0.0;
+            }
+        }
     }
 
     /// The weight of a feature, 0 for one never seen.

@@ -37,7 +37,7 @@ pub use combinator::{Grammar, RULES, RuleId, Shift};
 pub use derivation::Derivation;
 pub use doubt::{Doubt, Signs};
 pub use explain::{EntryText, Explanation, Part};
-pub use features::{Feature, FeatureId, Features, Vector};
+pub use features::{Feature, FeatureId, Features, Kind, Kinds, Vector};
 pub use forest::Forest;
 pub use general::{General, GeneralError, Near, Target};
 pub use hearing::Hearing;

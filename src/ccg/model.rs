@@ -383,7 +383,7 @@ impl Model {
     }
 
     /// A feature as a model file has it.
-    pub(super) fn feature_text(&self, feature: Feature) -> String {
+    pub fn feature_text(&self, feature: Feature) -> String {
         match feature {
             Feature::Lexeme(id) => {
                 let lexeme = self.lexicon.lexeme(id);

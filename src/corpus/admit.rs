@@ -1,14 +1,18 @@
 //! What is taken of a file, whatever its form: which rows, which commands, what counts as nothing, and what is no
 //! corpus at all.
 
-use super::example::MAX_COMMAND_CHARS;
+use super::example::Decision;
 use super::flaw::Wrong;
+use super::limits::MAX_COMMAND_CHARS;
+use super::mapping::Mapping;
 
 /// What to read.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Options {
     /// Keep rows that were rejected.
     pub with_rejected: bool,
+    /// Which column says what, where the names do not tell.
+    pub mapping: Mapping,
 }
 
 /// What programs write where there is nothing: R, pandas, spreadsheets, databases.
@@ -21,10 +25,22 @@ pub(super) fn something(text: &str) -> Option<&str> {
     (!nothing).then_some(text)
 }
 
-/// Whether a row was rejected: by its status, or by the reason that was given.
-pub(super) fn is_rejected(status: Option<&str>, reason: Option<&str>) -> bool {
-    let says_so = status.and_then(something).is_some_and(|s| s.eq_ignore_ascii_case("rejected"));
-    says_so || reason.and_then(something).is_some()
+/// What was decided of a row: it is rejected by its status, or by the reason that was given; approved by its status, or
+/// by a mark.
+pub(super) fn decision(
+    status: Option<&str>,
+    approve: Option<&str>,
+    reason: Option<&str>,
+) -> Decision {
+    let reason = reason.and_then(something);
+    let says = |word: &str| status.is_some_and(|status| status.trim().eq_ignore_ascii_case(word));
+    if says("rejected") || reason.is_some() {
+        Decision::Rejected(reason.unwrap_or_default().into())
+    } else if says("approved") || approve.and_then(something).is_some() {
+        Decision::Approved
+    } else {
+        Decision::Open
+    }
 }
 
 /// The command of a row, if it can be kept. A word has a letter or a digit, as for those who read it.
@@ -64,7 +80,7 @@ pub(super) fn not_a_corpus(head: &[u8]) -> Option<Wrong> {
         [b'P', b'K', 3, 4, ..] => {
             wrong("this is a spreadsheet or a zip file", "save it as CSV in UTF-8")
         }
-        [0x1F, 0x8B, ..] => wrong("this is a gzip file", "unpack it first"),
+        [0x1F, 0x8B, ..] => wrong("this file is packed twice", "unpack it once"),
         [0xD0, 0xCF, 0x11, 0xE0, ..] => {
             wrong("this is an old spreadsheet", "save it as CSV in UTF-8")
         }

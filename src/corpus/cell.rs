@@ -1,8 +1,9 @@
 //! States out of JSON, and whether two of them make a demonstration. What is wrong is said by its place inside
 //! the cell. The state before must be legal; the state after may be odd, since people's data is.
 
-use super::example::{MAX_CELL_BYTES, Pair};
+use super::example::Pair;
 use super::flaw::{Wrong, cut, cut_quoted};
+use super::limits::MAX_CELL_BYTES;
 use crate::domain::{Bounds, State};
 use serde::de::DeserializeOwned;
 use std::borrow::Cow;

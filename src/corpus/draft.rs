@@ -4,7 +4,7 @@
 use super::admit;
 use super::cell::{self, Moment};
 use super::cells::Cells;
-use super::example::{Example, Pair, Row};
+use super::example::{Decision, Example, Pair, Row};
 use super::flaw::{Flaw, Wrong};
 
 /// What a form's reader comes to in a step.
@@ -26,6 +26,8 @@ pub(super) struct Place {
 #[derive(Debug)]
 pub(super) struct Draft {
     line: u64,
+    /// The row as it stands in the file.
+    raw: Vec<u8>,
     command: Option<String>,
     flaws: Vec<Flaw>,
     /// Whether nothing was wrong so far.
@@ -34,22 +36,25 @@ pub(super) struct Draft {
     pub(super) id: Option<String>,
     pub(super) task: Option<String>,
     pub(super) worker: Option<String>,
+    pub(super) decision: Decision,
     pub(super) rest: Cells,
     pairs: Vec<Pair>,
     states: std::vec::IntoIter<(Place, Place)>,
 }
 
 impl Draft {
-    /// A row that begins at a line, of which nothing is known.
-    pub(super) fn new(line: u64) -> Draft {
+    /// A row that begins at a line and stands there so, of which nothing is known.
+    pub(super) fn new(line: u64, raw: Vec<u8>) -> Draft {
         Draft {
             line,
+            raw,
             command: None,
             flaws: Vec::new(),
             good: true,
             id: None,
             task: None,
             worker: None,
+            decision: Decision::Open,
             rest: Cells::default(),
             pairs: Vec::new(),
             states: Vec::new().into_iter(),
@@ -107,9 +112,11 @@ impl Draft {
             command,
             task: something(self.task.take()),
             worker: something(self.worker.take()),
+            decision: std::mem::take(&mut self.decision),
             pairs,
             rest: std::mem::take(&mut self.rest),
         });
-        Row { example, rejected: false, flaws }
+        let raw = if example.is_none() { std::mem::take(&mut self.raw) } else { Vec::new() };
+        Row { example, rejected: false, flaws, raw }
     }
 }

@@ -2,20 +2,10 @@
 
 use super::cells::Cells;
 use super::flaw::Flaw;
+use super::limits::MAX_BAD_BYTES;
+use super::mapping::Mapping;
 use crate::domain::State;
-
-/// The largest file that is read, in bytes.
-pub const MAX_FILE_BYTES: u64 = 64 << 20;
-/// The largest cell (or state of JSON) that is read, in bytes.
-pub const MAX_CELL_BYTES: usize = 1 << 20;
-/// The most columns of a table: those of a spreadsheet.
-pub const MAX_COLUMNS: usize = 16_384;
-/// The most rows that are read from one file.
-pub const MAX_ROWS: usize = 100_000;
-/// The longest command that is kept, in characters; how many words a parser takes is the parser's affair.
-pub const MAX_COMMAND_CHARS: usize = 2_000;
-/// The most demonstrations of one row.
-pub const MAX_PAIRS: usize = 100;
+use serde::{Deserialize, Serialize};
 
 /// One demonstration: the state before and the state after.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -23,6 +13,19 @@ pub const MAX_PAIRS: usize = 100;
 pub struct Pair {
     pub pre: State,
     pub post: State,
+}
+
+/// What was decided of a row.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Decision {
+    /// Nothing yet: it is used.
+    #[default]
+    Open,
+    /// It is good.
+    Approved,
+    /// It is not used, and why; perhaps nobody said why.
+    Rejected(Box<str>),
 }
 
 /// A command and the demonstrations it was said of.
@@ -38,11 +41,39 @@ pub struct Example {
     pub task: Option<String>,
     /// Who said it.
     pub worker: Option<String>,
+    /// What was decided of it.
+    pub decision: Decision,
     /// At least one demonstration.
     pub pairs: Vec<Pair>,
     /// The cells of the columns that groundling has no use for, in the order of the header; written back as
     /// they were. Empty when it came from no CSV file.
     pub rest: Cells,
+}
+
+/// Rows that something is wrong with, as they stand in a file, to be mended.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct BadRows {
+    /// Their text, a line or more each, behind the header if they are of a table.
+    pub text: Vec<u8>,
+    /// The number of them.
+    pub kept: usize,
+    /// Rows that are not kept, since there are too many.
+    pub more: usize,
+}
+
+impl BadRows {
+    /// Takes in the text of one more.
+    fn add(&mut self, raw: &[u8]) {
+        if self.text.len() + raw.len() > MAX_BAD_BYTES {
+            self.more += 1;
+            return;
+        }
+        self.kept += 1;
+        self.text.extend_from_slice(raw);
+        if !raw.ends_with(b"\n") {
+            self.text.push(b'\n');
+        }
+    }
 }
 
 /// Examples of one origin.
@@ -52,6 +83,10 @@ pub struct Corpus {
     pub examples: Vec<Example>,
     /// All columns of the CSV file in their order; empty when it came from none.
     pub columns: Vec<String>,
+    /// Which of them says what.
+    pub mapping: Mapping,
+    /// The rows that something is wrong with, as they stand in the file.
+    pub bad: BadRows,
     /// Rows left out because they were rejected.
     pub rejected: usize,
     /// Rows left out because something is wrong with them.
@@ -70,7 +105,7 @@ impl Corpus {
         self.rejected += other.rejected;
         self.left_out += other.left_out;
         if self.columns.is_empty() {
-            self.columns = other.columns;
+            (self.columns, self.mapping) = (other.columns, other.mapping);
         }
     }
 
@@ -97,7 +132,11 @@ impl Corpus {
     /// Takes in what came of one row, and hands back its flaws.
     pub fn add(&mut self, row: Row) -> Vec<Flaw> {
         self.rejected += usize::from(row.rejected);
-        self.left_out += usize::from(row.example.is_none() && !row.rejected);
+        let is_bad = row.example.is_none() && !row.rejected;
+        self.left_out += usize::from(is_bad);
+        if is_bad {
+            self.bad.add(&row.raw);
+        }
         self.examples.extend(row.example);
         row.flaws
     }
@@ -112,11 +151,13 @@ pub struct Row {
     pub rejected: bool,
     /// What is wrong or odd with it.
     pub flaws: Vec<Flaw>,
+    /// A bad row as it stands in the file.
+    pub raw: Vec<u8>,
 }
 
 impl Row {
     /// A row of which there is only bad to say.
-    pub(crate) fn bad(flaw: Flaw) -> Row {
-        Row { example: None, rejected: false, flaws: vec![flaw] }
+    pub(crate) fn bad(flaw: Flaw, raw: Vec<u8>) -> Row {
+        Row { example: None, rejected: false, flaws: vec![flaw], raw }
     }
 }

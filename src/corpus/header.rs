@@ -2,8 +2,9 @@
 //! JSON that programs make of such a table.
 
 use super::cell;
-use super::example::MAX_PAIRS;
 use super::flaw::{Wrong, some};
+use super::limits::MAX_PAIRS;
+use super::mapping::Mapping;
 use rustc_hash::FxHashMap;
 
 pub(super) const TASK: &str = "Input.task";
@@ -14,6 +15,7 @@ pub(super) const POST: &str = "Input.post_";
 pub(super) const ID: &str = "AssignmentId";
 pub(super) const WORKER: &str = "WorkerId";
 pub(super) const STATUS: &str = "AssignmentStatus";
+pub(super) const APPROVE: &str = "Approve";
 pub(super) const REASON: &str = "Reject";
 
 /// What a column is to us.
@@ -26,6 +28,7 @@ pub enum Role {
     Id,
     Worker,
     Status,
+    Approve,
     Reason,
     Pre(usize),
     Post(usize),
@@ -47,6 +50,7 @@ impl Role {
             ID => Role::Id,
             WORKER => Role::Worker,
             STATUS => Role::Status,
+            APPROVE => Role::Approve,
             REASON => Role::Reason,
             _ => match (number(PRE), number(POST)) {
                 (Some(n), _) => Role::Pre(n),
@@ -83,6 +87,8 @@ pub struct Header {
     pub id: Option<usize>,
     /// Whether it was approved or rejected.
     pub status: Option<usize>,
+    /// A mark that it is to be approved.
+    pub approve: Option<usize>,
     /// Why it is rejected.
     pub reason: Option<usize>,
 }
@@ -92,8 +98,9 @@ impl Header {
     ///
     /// # Errors
     /// Which column is missing, or stands there twice.
-    pub fn new(columns: Vec<String>) -> Result<Header, Wrong> {
-        let roles: Vec<Role> = columns.iter().map(|column| Role::of(column)).collect();
+    pub fn new(columns: Vec<String>, mapping: &Mapping) -> Result<Header, Wrong> {
+        mapping.check(&columns)?;
+        let roles: Vec<Role> = columns.iter().map(|column| mapping.role(column)).collect();
         let mut header = Header { roles, ..Header::default() };
         let mut states: [FxHashMap<usize, usize>; 2] = Default::default();
         for (at, (role, column)) in header.roles.iter().zip(&columns).enumerate() {
@@ -104,6 +111,8 @@ impl Header {
                 Role::Id => header.id.replace(at),
                 Role::Worker => header.worker.replace(at),
                 Role::Status => header.status.replace(at),
+                // Nothing is lost with a second one.
+                Role::Approve => header.approve.replace(at).and(None),
                 Role::Reason => header.reason.replace(at),
                 Role::Pre(n) => states[0].insert(n, at),
                 Role::Post(n) => states[1].insert(n, at),
@@ -140,7 +149,7 @@ impl Header {
 
     /// Whether anything is read of a column.
     pub fn is_read(&self, at: usize) -> bool {
-        self.roles.get(at).is_some_and(|role| *role != Role::Other)
+        self.roles.get(at).is_some_and(|role| !matches!(role, Role::Other | Role::Approve))
     }
 }
 

@@ -2,15 +2,9 @@
 //! with line breaks inside. An object that is broken costs itself: reading goes on at the next line that begins as it
 //! did.
 
-use super::example::{MAX_CELL_BYTES, MAX_FILE_BYTES};
+use super::limits::{MAX_DEPTH, MAX_FILE_BYTES, MAX_OBJECT_BYTES};
 use super::source::{Source, Unreadable};
 use std::io::Read;
-
-/// The longest object that is read, in bytes.
-const MAX_BYTES: usize = 8 * MAX_CELL_BYTES;
-
-/// The most brackets that may be open at once.
-const MAX_DEPTH: usize = 100;
 
 /// What a step comes to.
 #[derive(Debug)]
@@ -19,8 +13,8 @@ pub(super) enum Item {
     Working,
     /// What stands where an object should, and the line where it begins.
     Text(u64, Vec<u8>),
-    /// What begins in this line is no object, and why.
-    Broken(u64, String),
+    /// What begins in this line is no object, and why; it as it stands in the file.
+    Broken(u64, String, Vec<u8>),
     /// There are no more.
     Over,
 }
@@ -95,9 +89,9 @@ impl<R: Read> Items<R> {
         }
     }
 
-    /// Bytes taken from the stream so far, for progress.
+    /// Bytes of the file that were taken so far, for progress.
     pub(super) fn bytes(&self) -> u64 {
-        self.source.bytes
+        self.source.taken()
     }
 
     /// Goes on by a bounded part: to the end of an object, or of what is in the buffer.
@@ -186,8 +180,8 @@ impl<R: Read> Items<R> {
             _ => {}
         }
         let is_inside = matches!(self.at, At::Line | At::Object | At::String { .. });
-        (is_inside && self.next - self.start > MAX_BYTES)
-            .then(|| self.give_up(&format!("it is larger than {} MB", MAX_BYTES >> 20)))
+        (is_inside && self.next - self.start > MAX_OBJECT_BYTES)
+            .then(|| self.give_up(&format!("it is larger than {} MB", MAX_OBJECT_BYTES >> 20)))
     }
 
     /// Something begins.
@@ -225,6 +219,8 @@ impl<R: Read> Items<R> {
     /// The object cannot be one: reading goes on where the next one may begin.
     fn give_up(&mut self, why: &str) -> Item {
         let line = self.start_line;
+        let end = self.resume.map_or(self.next, |(offset, _)| self.start + offset);
+        let raw = self.source.buffer.get(self.start..end).unwrap_or_default().to_vec();
         let was_line_end = self.source.buffer.get(self.next - 1) == Some(&b'\n');
         let far = (self.next - self.start) as u64;
         if let Some((offset, at)) =
@@ -239,7 +235,7 @@ impl<R: Read> Items<R> {
         } else {
             self.at = if was_line_end { At::Between } else { At::Behind };
         }
-        Item::Broken(line, why.to_owned())
+        Item::Broken(line, why.to_owned(), raw)
     }
 
     /// The file is over.

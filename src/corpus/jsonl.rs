@@ -1,12 +1,14 @@
 //! JSON, in and out: `{id, command, task?, worker?, pairs: [{pre, post}]}` an object, or an object with the columns of
 //! batch results for names, as programs make of such a table. States are JSON, or JSON in a string.
 
-use super::admit::{Options, is_rejected};
+use super::admit::{Options, decision};
 use super::draft::{Draft, Found, Place};
-use super::example::{Corpus, MAX_PAIRS, Row};
+use super::example::{Corpus, Decision, Example, Row};
 use super::flaw::{Flaw, Wrong, cut_quoted, some};
-use super::header::{COMMAND, FORM, ID, POST, PRE, REASON, STATUS, TASK, WORKER};
+use super::header::{APPROVE, COMMAND, FORM, ID, POST, PRE, REASON, STATUS, TASK, WORKER};
 use super::items::{Item, Items};
+use super::limits::MAX_PAIRS;
+use super::mapping::{Mapping, States};
 use super::mturk::form_command;
 use super::source::Source;
 use crate::domain::State;
@@ -27,6 +29,10 @@ struct LineOut<'a> {
     task: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     worker: Option<&'a str>,
+    #[serde(rename = "AssignmentStatus", skip_serializing_if = "Option::is_none")]
+    status: Option<&'a str>,
+    #[serde(rename = "Reject", skip_serializing_if = "Option::is_none")]
+    reject: Option<&'a str>,
     pairs: Vec<PairOut<'a>>,
 }
 
@@ -61,17 +67,17 @@ impl<R: Read> Reader<R> {
         Ok(match self.items.step().map_err(|fault| Flaw::of_file(fault.wrong()))? {
             Item::Working => Found::Nothing,
             Item::Over => Found::Over,
-            Item::Broken(line, why) => {
+            Item::Broken(line, why, raw) => {
                 let wrong =
                     Wrong::with_mend(format!("this is no JSON object: {why}"), "mend the row");
-                Found::Row(Row::bad(Flaw::of_row(line, None, wrong)))
+                Found::Row(Row::bad(Flaw::of_row(line, None, wrong), raw))
             }
             Item::Text(line, bytes) => match String::from_utf8(bytes) {
-                Ok(text) => row(&text, line, self.options),
-                Err(_) => {
+                Ok(text) => row(&text, line, &self.options),
+                Err(error) => {
                     let wrong =
                         Wrong::with_mend("the line is not UTF-8 text", "save the file in UTF-8");
-                    Found::Row(Row::bad(Flaw::of_row(line, None, wrong)))
+                    Found::Row(Row::bad(Flaw::of_row(line, None, wrong), error.into_bytes()))
                 }
             },
         })
@@ -82,14 +88,34 @@ impl<R: Read> Reader<R> {
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(corpus: &Corpus, mut out: impl Write) -> std::io::Result<()> {
-    for example in &corpus.examples {
+pub fn write(corpus: &Corpus, out: impl Write) -> std::io::Result<()> {
+    write_rows(corpus.examples.iter().map(|example| (example, &example.decision)), out)
+}
+
+/// Writes rows, each with what was decided of it, as JSON lines.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write_rows<'a>(
+    rows: impl IntoIterator<Item = (&'a Example, &'a Decision)>,
+    mut out: impl Write,
+) -> std::io::Result<()> {
+    for (example, decision) in rows {
         let pairs = example.pairs.iter().map(|pair| PairOut { pre: &pair.pre, post: &pair.post });
         let line = LineOut {
             id: &example.id,
             command: &example.command,
             task: example.task.as_deref(),
             worker: example.worker.as_deref(),
+            status: match decision {
+                Decision::Open => None,
+                Decision::Approved => Some("Approved"),
+                Decision::Rejected(_) => Some("Rejected"),
+            },
+            reject: match decision {
+                Decision::Rejected(reason) if !reason.is_empty() => Some(reason),
+                _ => None,
+            },
             pairs: pairs.collect(),
         };
         serde_json::to_writer(&mut out, &line)?;
@@ -99,8 +125,9 @@ pub fn write(corpus: &Corpus, mut out: impl Write) -> std::io::Result<()> {
 }
 
 /// What an object says.
-fn row(text: &str, line: u64, options: Options) -> Found {
-    let bad = |wrong: Wrong| Found::Row(Row::bad(Flaw::of_row(line, None, wrong)));
+fn row(text: &str, line: u64, options: &Options) -> Found {
+    let raw = || text.as_bytes().to_vec();
+    let bad = |wrong: Wrong| Found::Row(Row::bad(Flaw::of_row(line, None, wrong), raw()));
     let fields: Fields<'_> = match serde_json::from_str(text) {
         Ok(fields) => fields,
         Err(error) if error.is_data() => {
@@ -110,23 +137,38 @@ fn row(text: &str, line: u64, options: Options) -> Found {
         }
         Err(error) => return bad(Wrong::from(broken(&error))),
     };
-    let field = |names: [&str; 2]| {
-        let found = names.into_iter().find_map(|name| fields.get_key_value(name));
+    let mapping = &options.mapping;
+    // What a mapping names, and nothing else, where there is one.
+    let field = |mapped: &Option<String>, usual: [&str; 2]| {
+        let usual = if mapping.is_empty() { usual.as_slice() } else { &[] };
+        let mut names = mapped.iter().map(String::as_str).chain(usual.iter().copied());
+        let found = names.find_map(|name| fields.get_key_value(name));
         found.map(|(name, value)| (&**name, value.get()))
     };
-    let plain = |names: [&str; 2]| field(names).and_then(|(_, value)| plain(value).ok());
-    let (status, reason) = (plain([STATUS; 2]), plain([REASON; 2]));
-    if !options.with_rejected && is_rejected(status.as_deref(), reason.as_deref()) {
+    let plain =
+        |mapped, name: &str| field(mapped, [name; 2]).and_then(|(_, value)| plain(value).ok());
+    let status = plain(&mapping.status, STATUS);
+    let approve = plain(&mapping.approve, APPROVE);
+    let reason = plain(&mapping.reject, REASON);
+    let decided = decision(status.as_deref(), approve.as_deref(), reason.as_deref());
+    if !options.with_rejected && matches!(decided, Decision::Rejected(_)) {
         return Found::Row(Row { rejected: true, ..Row::default() });
     }
-    let mut draft = Draft::new(line);
-    let mut text = |names| {
-        let (name, value) = field(names)?;
+    let mut draft = Draft::new(line, raw());
+    draft.decision = decided;
+    let mut text = |mapped, usual| {
+        let (name, value) = field(mapped, usual)?;
         self::plain(value).map_err(|wrong| draft.blame(Some(name), wrong)).ok()
     };
-    let own = (text(["id", ID]), text(["task", TASK]), text(["worker", WORKER]));
-    (draft.id, draft.task, draft.worker) = own;
-    match (field(["command", COMMAND]), field([FORM, FORM])) {
+    let id = text(&mapping.id, ["id", ID]);
+    let task = text(&mapping.task, ["task", TASK]);
+    let worker = text(&mapping.worker, ["worker", WORKER]);
+    (draft.id, draft.task, draft.worker) = (id, task, worker);
+    let said = field(&mapping.command, ["command", COMMAND]).filter(|(name, _)| *name != FORM);
+    let form = fields
+        .get_key_value(FORM)
+        .filter(|_| mapping.is_empty() || mapping.command.as_deref() == Some(FORM));
+    match (said, form.map(|(name, value)| (&**name, value.get()))) {
         (None, None) => {
             let known = some(fields.keys().map(|name| &**name));
             let what = format!("the row has no command (found: {known})");
@@ -137,15 +179,22 @@ fn row(text: &str, line: u64, options: Options) -> Found {
         }
         (Some((name, command)), _) => draft.say(name, self::plain(command)),
     }
-    states(&fields, &mut draft);
+    states(&fields, mapping, &mut draft);
     Found::Draft(Box::new(draft))
 }
 
+/// The keys of an object and its values, as a person may look at them; none where it is no object.
+pub(super) fn fields(text: &str) -> Option<Vec<(String, String)>> {
+    let fields: Fields<'_> = serde_json::from_str(text).ok()?;
+    let shown = |value: &RawValue| plain(value.get()).unwrap_or_else(|_| value.get().to_owned());
+    Some(fields.into_iter().map(|(key, value)| (key.into_owned(), shown(value))).collect())
+}
+
 /// The demonstrations of an object: its `pairs`, or its columns.
-fn states(fields: &Fields<'_>, draft: &mut Draft) {
+fn states(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) {
     let place = |column: String, value: &RawValue| Place { column, text: value.get().to_owned() };
     let mut states = Vec::new();
-    if let Some(pairs) = fields.get("pairs") {
+    if let Some(pairs) = fields.get("pairs").filter(|_| mapping.pairs.is_empty()) {
         let pairs: Vec<Fields<'_>> = match serde_json::from_str(pairs.get()) {
             Ok(pairs) => pairs,
             Err(_) => {
@@ -171,7 +220,12 @@ fn states(fields: &Fields<'_>, draft: &mut Draft) {
         }
     } else {
         let number = |n: usize| [format!("{PRE}{n}"), format!("{POST}{n}")];
-        for [pre, post] in (1..=MAX_PAIRS).map(number) {
+        let mapped = |States { pre, post }: &States| [pre.clone(), post.clone()];
+        let names: Vec<[String; 2]> = match mapping.pairs.as_slice() {
+            [] => (1..=MAX_PAIRS).map(number).collect(),
+            pairs => pairs.iter().take(MAX_PAIRS).map(mapped).collect(),
+        };
+        for [pre, post] in names {
             let there = |name: &str| {
                 fields.get(name).filter(|value| plain(value.get()).ok().as_deref() != Some(""))
             };

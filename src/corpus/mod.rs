@@ -4,25 +4,32 @@
 //! the other.
 
 pub mod cells;
+pub mod limits;
 pub mod flaw;
 pub mod example;
 pub mod admit;
 pub mod cell;
+mod packed;
 pub mod source;
 pub mod header;
+pub mod mapping;
 mod draft;
 pub mod record;
 mod items;
-pub mod mturk;
+mod mturk;
+pub mod table;
 pub mod jsonl;
 pub mod read;
+pub mod preview;
 pub mod split;
 
 pub use admit::Options;
 pub use cells::Cells;
-pub use example::{Corpus, Example, Pair, Row};
+pub use example::{BadRows, Corpus, Decision, Example, Pair, Row};
 pub use flaw::{Flaw, Wrong};
 pub use header::{Header, Role};
+pub use mapping::{Mapping, States};
+pub use preview::{Preview, preview};
 pub use read::{Reading, Rows, read};
 pub use source::text_of;
-pub use split::{Fold, folds};
+pub use split::{Fold, folds, share};

@@ -1,59 +1,32 @@
-//! Mechanical Turk's batch-results CSV, in and out, with the quirks of real files: columns in any order and
+//! Mechanical Turk's batch-results CSV with the quirks of real files: columns in any order and
 //! found by name, rows without their last cells, answers of crowd-html forms as JSON in one cell.
 
-use super::admit::{Options, empty, is_rejected, something};
+use super::admit::{Options, decision, empty, something};
 use super::cell;
 use super::cells::Cells;
 use super::draft::{Draft, Found, Place};
-use super::example::{Corpus, MAX_CELL_BYTES, MAX_COLUMNS, Row};
+use super::example::{Decision, Row};
 use super::flaw::{Flaw, Wrong, some};
-use super::header::{COMMAND, Header, POST, PRE, Role, TASK};
+use super::header::{COMMAND, Header};
+use super::limits::{MAX_CELL_BYTES, MAX_COLUMNS};
+use super::mapping::Mapping;
 use super::record::{Fault, Record, Records, Step};
 use super::source::Source;
-use std::io::{Read, Write};
-
-/// The columns of a batch-results file before those of the task's own inputs and answers.
-const PLATFORM: [&str; 27] = [
-    "HITId",
-    "HITTypeId",
-    "Title",
-    "Description",
-    "Keywords",
-    "Reward",
-    "CreationTime",
-    "MaxAssignments",
-    "RequesterAnnotation",
-    "AssignmentDurationInSeconds",
-    "AutoApprovalDelayInSeconds",
-    "Expiration",
-    "NumberOfSimilarHITs",
-    "LifetimeInSeconds",
-    "AssignmentId",
-    "WorkerId",
-    "AssignmentStatus",
-    "AcceptTime",
-    "SubmitTime",
-    "AutoApprovalTime",
-    "ApprovalTime",
-    "RejectionTime",
-    "RequesterFeedback",
-    "WorkTimeInSeconds",
-    "LifetimeApprovalRate",
-    "Last30DaysApprovalRate",
-    "Last7DaysApprovalRate",
-];
+use std::io::Read;
 
 /// A reader of a batch-results file, row by row.
 pub(super) struct Reader<R> {
     records: Records<R>,
     options: Options,
     header: Option<Header>,
+    /// What stands before the rows, as it stands in the file.
+    head: Vec<u8>,
 }
 
 impl<R: Read> Reader<R> {
     /// A reader at the beginning of a file.
     pub(super) fn new(source: Source<R>, options: Options) -> Self {
-        Reader { records: Records::new(source), options, header: None }
+        Reader { records: Records::new(source), options, header: None, head: Vec::new() }
     }
 
     /// The columns, once they are read.
@@ -61,7 +34,12 @@ impl<R: Read> Reader<R> {
         self.header.as_ref()
     }
 
-    /// Bytes read so far, for progress.
+    /// What stands before the rows, as it stands in the file, once it is read.
+    pub(super) fn head(&self) -> &[u8] {
+        &self.head
+    }
+
+    /// Bytes of the file that were read so far, for progress.
     pub(super) fn bytes(&self) -> u64 {
         self.records.bytes()
     }
@@ -75,25 +53,28 @@ impl<R: Read> Reader<R> {
         match (self.records.step().map_err(fault)?, &self.header) {
             (Step::Working, _) => Ok(Found::Nothing),
             (Step::Record(record), None) => {
-                self.header = Some(header(&record)?);
+                self.header = Some(header(&record, &self.options.mapping)?);
+                self.head = [self.records.said(), &record.raw].concat();
                 Ok(Found::Nothing)
             }
-            (Step::Record(record), Some(header)) => {
+            (Step::Record(mut record), Some(header)) => {
                 if let Some(flaw) = misshapen(header, &record) {
                     if record.lines > 1 {
                         self.records.resume_at_second_line().map_err(fault)?;
+                        let first = record.raw.iter().position(|&byte| byte == b'\n');
+                        record.raw.truncate(first.map_or(usize::MAX, |end| end + 1));
                     }
-                    return Ok(Found::Row(Row::bad(flaw)));
+                    return Ok(Found::Row(Row::bad(flaw, record.raw)));
                 }
-                Ok(row(header, record, self.options))
+                Ok(row(header, record, &self.options))
             }
-            (Step::Unclosed(line), header) => {
+            (Step::Unclosed(line, raw), header) => {
                 let wrong = Wrong::with_mend(
                     "a quote opened in this row is never closed",
                     "close it, or double it if it belongs to the text",
                 );
                 let flaw = Flaw::of_row(line, None, wrong);
-                if header.is_none() { Err(flaw) } else { Ok(Found::Row(Row::bad(flaw))) }
+                if header.is_none() { Err(flaw) } else { Ok(Found::Row(Row::bad(flaw, raw))) }
             }
             (Step::Over, None) => Err(Flaw::of_file(empty())),
             (Step::Over, Some(_)) => Ok(Found::Over),
@@ -111,7 +92,7 @@ fn refusal(fault: &Fault) -> Wrong {
     Wrong::with_mend(fault.to_string(), mend)
 }
 
-fn header(record: &Record) -> Result<Header, Flaw> {
+fn header(record: &Record, mapping: &Mapping) -> Result<Header, Flaw> {
     let of_header = |wrong: Wrong| Flaw { line: record.line, ..Flaw::of_file(wrong) };
     if !record.cut.is_empty() {
         let wrong = Wrong::with_mend(
@@ -121,16 +102,19 @@ fn header(record: &Record) -> Result<Header, Flaw> {
         return Err(of_header(wrong));
     }
     let columns = record.cells.iter().map(|name| name.trim().to_owned()).collect();
-    Header::new(columns).map_err(of_header)
+    Header::new(columns, mapping).map_err(of_header)
 }
 
 /// What a record says.
-fn row(header: &Header, record: Record, options: Options) -> Found {
+fn row(header: &Header, mut record: Record, options: &Options) -> Found {
+    let raw = std::mem::take(&mut record.raw);
     let cell = |at: Option<usize>| record.cells.get(at?);
-    if !options.with_rejected && is_rejected(cell(header.status), cell(header.reason)) {
+    let decided = decision(cell(header.status), cell(header.approve), cell(header.reason));
+    if !options.with_rejected && matches!(decided, Decision::Rejected(_)) {
         return Found::Row(Row { rejected: true, ..Row::default() });
     }
-    let mut draft = Draft::new(record.line);
+    let mut draft = Draft::new(record.line, raw);
+    draft.decision = decided;
     for &at in record.not_text.iter().filter(|&&at| header.is_read(at)) {
         let wrong = Wrong::with_mend("the cell is not UTF-8 text", "save the file as CSV in UTF-8");
         draft.blame(Some(header.name(at)), wrong);
@@ -213,51 +197,6 @@ fn command<'a>(header: &'a Header, record: &Record) -> (&'a str, Result<String, 
     }
 }
 
-/// Writes a corpus as a batch-results file: its own columns if it has any, otherwise the platform's.
-/// Every cell is quoted, lines end in CR LF, as the platform writes them.
-///
-/// # Errors
-/// Those of `out`.
-pub fn write(corpus: &Corpus, out: impl Write) -> std::io::Result<()> {
-    let standard;
-    let columns = if corpus.columns.is_empty() {
-        standard = standard_columns(corpus);
-        &standard
-    } else {
-        &corpus.columns
-    };
-    let mut out = csv::WriterBuilder::new()
-        .quote_style(csv::QuoteStyle::Always)
-        .terminator(csv::Terminator::CRLF)
-        .from_writer(out);
-    out.write_record(columns)?;
-    for example in &corpus.examples {
-        let mut rest = example.rest.iter();
-        for column in columns {
-            let state = |n: usize, pick: fn(&super::example::Pair) -> &crate::domain::State| {
-                example.pairs.get(n - 1).map(|pair| pick(pair).write()).unwrap_or_default()
-            };
-            let cell = match Role::of(column) {
-                Role::Task => example.task.clone().unwrap_or_default(),
-                Role::Pre(n) => state(n, |pair| &pair.pre),
-                Role::Post(n) => state(n, |pair| &pair.post),
-                Role::Command => example.command.clone(),
-                _ => match (rest.next(), column.as_str()) {
-                    (Some(kept), _) => kept.to_owned(),
-                    (None, "AssignmentId") => example.id.clone(),
-                    (None, "WorkerId") => example.worker.clone().unwrap_or_default(),
-                    (None, "AssignmentStatus") => "Approved".to_owned(),
-                    (None, "Approve") => "x".to_owned(),
-                    (None, _) => String::new(),
-                },
-            };
-            out.write_field(cell)?;
-        }
-        out.write_record(None::<&[u8]>)?;
-    }
-    out.flush()
-}
-
 /// The command in the JSON that crowd-html forms answer with: `[{"command": "…"}]`.
 pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
     use serde_json::Value;
@@ -278,16 +217,4 @@ pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
             Err(Wrong::from(format!("no answer is called command (found: {names})")))
         }
     }
-}
-
-fn standard_columns(corpus: &Corpus) -> Vec<String> {
-    let n = corpus.examples.iter().map(|example| example.pairs.len()).max().unwrap_or(1);
-    let mut columns: Vec<String> = PLATFORM.iter().map(|&name| name.to_owned()).collect();
-    columns.push(TASK.to_owned());
-    for i in 1..=n {
-        columns.push(format!("{PRE}{i}"));
-        columns.push(format!("{POST}{i}"));
-    }
-    columns.extend([COMMAND, "Approve", "Reject"].map(str::to_owned));
-    columns
 }

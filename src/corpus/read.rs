@@ -3,15 +3,13 @@
 
 use super::admit::{Options, empty, not_a_corpus};
 use super::draft::{Draft, Found};
-use super::example::{Corpus, MAX_ROWS, Row};
+use super::example::{Corpus, Row};
 use super::flaw::{Flaw, Wrong};
 use super::header::Header;
+use super::limits::{MAX_FLAWS, MAX_ROWS};
 use super::source::Source;
 use super::{jsonl, mturk};
 use std::io::Read;
-
-/// The most flaws of a file that are kept; its rows are counted all the same.
-const MAX_FLAWS: usize = 1_000;
 
 /// What a step of reading comes to.
 #[derive(Debug)]
@@ -64,7 +62,15 @@ impl<R: Read> Rows<R> {
         }
     }
 
-    /// Bytes read so far, for progress.
+    /// What stands before the rows of a table, as it stands in the file, once it is read.
+    fn head(&self) -> &[u8] {
+        match &self.form {
+            Form::Table(reader) => reader.head(),
+            Form::Json(_) => &[],
+        }
+    }
+
+    /// Bytes of the file that were read so far, packed as they are, for progress.
     pub fn bytes(&self) -> u64 {
         match &self.form {
             Form::Table(reader) => reader.bytes(),
@@ -125,8 +131,10 @@ impl<R: Read> Reading<R> {
     /// # Errors
     /// Why the file is no corpus at all.
     pub fn new(stream: R, options: Options) -> Result<Self, Flaw> {
+        let mapping = options.mapping.clone();
         let rows = Rows::new(stream, options)?;
-        Ok(Reading { rows, corpus: Corpus::default(), flaws: Vec::new(), more_flaws: 0 })
+        let corpus = Corpus { mapping, ..Corpus::default() };
+        Ok(Reading { rows, corpus, flaws: Vec::new(), more_flaws: 0 })
     }
 
     /// Bytes read so far, for progress.
@@ -151,6 +159,9 @@ impl<R: Read> Reading<R> {
             Ok(Step::Over) => {
                 self.corpus.columns =
                     self.rows.header().map(|header| header.columns.clone()).unwrap_or_default();
+                if self.corpus.bad.kept > 0 {
+                    self.corpus.bad.text.splice(..0, self.rows.head().iter().copied());
+                }
                 if self.more_flaws > 0 {
                     let more = format!("{} more are not listed", self.more_flaws);
                     self.flaws.push(Flaw { kept: true, ..Flaw::of_file(more) });

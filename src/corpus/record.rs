@@ -3,7 +3,7 @@
 //! costs one row. Lines count from 1 and are those of an editor, also inside quoted cells.
 
 use super::cells::Cells;
-use super::example::{MAX_CELL_BYTES, MAX_COLUMNS, MAX_FILE_BYTES};
+use super::limits::{MAX_CELL_BYTES, MAX_COLUMNS, MAX_FILE_BYTES};
 use super::source::{Source, Unreadable};
 use std::io::Read;
 
@@ -22,6 +22,8 @@ pub struct Record {
     pub not_text: Vec<usize>,
     /// Numbers of the cells that are left empty because they are larger than [`MAX_CELL_BYTES`], ascending.
     pub cut: Vec<usize>,
+    /// The record as it stands in the file.
+    pub raw: Vec<u8>,
     /// Number of the first cell where text follows the closing quote.
     pub stray: Option<usize>,
 }
@@ -36,8 +38,9 @@ pub enum Step {
     Working,
     /// A record that is not an empty line.
     Record(Record),
-    /// A quote opened in the record that begins at this line is never closed; reading goes on at the next one.
-    Unclosed(u64),
+    /// A quote opened in the record that begins at this line is never closed; reading goes on at the next one. The line
+    /// as it stands in the file.
+    Unclosed(u64, Vec<u8>),
     /// The file has no more records.
     Over,
 }
@@ -68,6 +71,8 @@ enum At {
 pub struct Records<R> {
     source: Source<R>,
     separator: u8,
+    /// What the file says of it, as it stands there.
+    said: Vec<u8>,
     /// Where in the buffer the current record begins, and the next byte to look at.
     start: usize,
     next: usize,
@@ -89,9 +94,11 @@ impl<R: Read> Records<R> {
     /// of comma, semicolon and tab which stands most often in the first line.
     pub(super) fn new(source: Source<R>) -> Self {
         let (separator, skip) = separator(&source.buffer);
+        let said = source.buffer.get(..skip).unwrap_or_default().to_vec();
         Records {
             source,
             separator,
+            said,
             start: skip,
             next: skip,
             line: 1 + u64::from(skip > 0),
@@ -105,9 +112,14 @@ impl<R: Read> Records<R> {
         }
     }
 
-    /// Bytes taken from the stream so far, for progress.
+    /// Bytes of the file that were taken so far, for progress.
     pub fn bytes(&self) -> u64 {
-        self.source.bytes
+        self.source.taken()
+    }
+
+    /// What the file says of its separator before the first record, as it stands there.
+    pub(super) fn said(&self) -> &[u8] {
+        &self.said
     }
 
     /// Goes on by a bounded part: to the end of the record, or of what is in the buffer.
@@ -208,9 +220,10 @@ impl<R: Read> Records<R> {
     }
 
     fn unclosed(&mut self) -> Result<Step, Fault> {
-        let line = self.start_line;
+        let (line, start) = (self.start_line, self.start);
         self.resume_at_second_line()?;
-        Ok(Step::Unclosed(line))
+        let raw = self.source.buffer.get(start..self.next).unwrap_or_default().to_vec();
+        Ok(Step::Unclosed(line, raw))
     }
 
     fn end_record(&mut self) -> Step {
@@ -219,6 +232,7 @@ impl<R: Read> Records<R> {
         self.is_fresh = true;
         let mut record = std::mem::take(&mut self.record);
         record.lines = (self.line - record.line).max(1);
+        record.raw = self.source.buffer.get(self.start..self.next).unwrap_or_default().to_vec();
         Step::Record(record)
     }
 

@@ -2,8 +2,9 @@
 //! with its mark is turned into UTF-8. Whoever reads keeps what it has not done with, and takes the next chunk when it
 //! wants one, so that reading goes in bounded steps.
 
-use super::example::MAX_FILE_BYTES;
 use super::flaw::Wrong;
+use super::limits::MAX_FILE_BYTES;
+use super::packed::Stream;
 use std::io::Read;
 
 /// Bytes that a step takes.
@@ -15,9 +16,15 @@ pub enum Unreadable {
     /// The stream failed.
     #[error("the file could not be read: {0}")]
     Io(#[from] std::io::Error),
+    /// It is packed, and what is packed is cut short, damaged or followed by something else.
+    #[error("this gzip file is cut short or damaged")]
+    Damaged,
     /// It is too large.
     #[error("the file is larger than {} MB", MAX_FILE_BYTES >> 20)]
     TooLarge,
+    /// It is packed, and too large.
+    #[error("the file unpacks to more than {} MB", MAX_FILE_BYTES >> 20)]
+    UnpacksTooLarge,
 }
 
 impl Unreadable {
@@ -25,7 +32,10 @@ impl Unreadable {
     pub(super) fn wrong(&self) -> Wrong {
         match self {
             Unreadable::Io(_) => Wrong::from(self.to_string()),
-            Unreadable::TooLarge => {
+            Unreadable::Damaged => {
+                Wrong::with_mend(self.to_string(), "pack it anew, or give the file unpacked")
+            }
+            Unreadable::TooLarge | Unreadable::UnpacksTooLarge => {
                 Wrong::with_mend(self.to_string(), "split it, and give all parts")
             }
         }
@@ -40,14 +50,14 @@ enum Encoding {
 
 /// A file that is being read.
 pub(super) struct Source<R> {
-    stream: R,
+    stream: Stream<R>,
     encoding: Encoding,
     /// Bytes of UTF-16 that make no character yet.
     raw: Vec<u8>,
     /// What was read and not yet let go of, in UTF-8 as far as the file is text.
     pub(super) buffer: Vec<u8>,
-    /// Bytes taken from the stream so far.
-    pub(super) bytes: u64,
+    /// Bytes read so far, unpacked.
+    bytes: u64,
     /// Whether there is no more to come.
     pub(super) ended: bool,
 }
@@ -56,7 +66,7 @@ impl<R: Read> Source<R> {
     /// The beginning of a stream, with some of it in the buffer.
     pub(super) fn new(stream: R) -> Result<Self, Unreadable> {
         let mut source = Source {
-            stream,
+            stream: Stream::new(stream)?,
             encoding: Encoding::Utf8,
             raw: Vec::new(),
             buffer: Vec::new(),
@@ -88,12 +98,16 @@ impl<R: Read> Source<R> {
         self.buffer.drain(..done);
         let into = if self.encoding == Encoding::Utf8 { &mut self.buffer } else { &mut self.raw };
         let before = into.len();
-        self.stream.by_ref().take(CHUNK as u64).read_to_end(into)?;
+        let read = self.stream.by_ref().take(CHUNK as u64).read_to_end(into);
+        read.map_err(
+            |error| if self.stream.is_packed() { Unreadable::Damaged } else { error.into() },
+        )?;
         let got = into.len() - before;
         self.bytes += got as u64;
         self.ended = got == 0;
         if self.bytes > MAX_FILE_BYTES {
-            return Err(Unreadable::TooLarge);
+            let is_packed = self.stream.is_packed();
+            return Err(if is_packed { Unreadable::UnpacksTooLarge } else { Unreadable::TooLarge });
         }
         if self.encoding != Encoding::Utf8 {
             self.decode();
@@ -101,21 +115,21 @@ impl<R: Read> Source<R> {
         Ok(())
     }
 
+    /// Bytes of the file that were taken so far, packed as they are.
+    pub(super) fn taken(&self) -> u64 {
+        self.stream.taken()
+    }
+
     /// Turns the UTF-16 that is there into UTF-8; half a character waits for the rest.
     fn decode(&mut self) {
         let Encoding::Utf16 { big_endian } = self.encoding else { return };
-        let unit = |pair: &[u8]| {
-            let pair = [pair[0], pair[1]];
-            if big_endian { u16::from_be_bytes(pair) } else { u16::from_le_bytes(pair) }
-        };
+        let unit = if big_endian { u16::from_be_bytes } else { u16::from_le_bytes };
         let mut whole = self.raw.len() & !1;
         let is_high = |unit: u16| (0xD800..0xDC00).contains(&unit);
-        if whole > 0 && !self.ended && is_high(unit(&self.raw[whole - 2..whole])) {
+        if whole > 0 && !self.ended && is_high(unit([self.raw[whole - 2], self.raw[whole - 1]])) {
             whole -= 2;
         }
-        let units = self.raw[..whole].chunks_exact(2).map(unit);
-        let text: String =
-            char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect();
+        let text = utf_16(&self.raw[..whole], unit);
         self.buffer.extend_from_slice(text.as_bytes());
         self.raw.drain(..whole);
     }
@@ -127,18 +141,8 @@ impl<R: Read> Source<R> {
 /// The line, from 1, where the first byte stands that is no text.
 pub fn text_of(bytes: Vec<u8>) -> Result<String, usize> {
     let bytes = match bytes.as_slice() {
-        [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => {
-            let mut source = Source {
-                stream: std::io::empty(),
-                encoding: Encoding::Utf16 { big_endian: bytes[0] == 0xFE },
-                raw: bytes[2..].to_vec(),
-                buffer: Vec::new(),
-                bytes: 0,
-                ended: true,
-            };
-            source.decode();
-            source.buffer
-        }
+        [0xFF, 0xFE, rest @ ..] => utf_16(rest, u16::from_le_bytes).into_bytes(),
+        [0xFE, 0xFF, rest @ ..] => utf_16(rest, u16::from_be_bytes).into_bytes(),
         [0xEF, 0xBB, 0xBF, rest @ ..] => rest.to_vec(),
         _ => bytes,
     };
@@ -146,4 +150,11 @@ pub fn text_of(bytes: Vec<u8>) -> Result<String, usize> {
         let at = error.utf8_error().valid_up_to();
         1 + error.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count()
     })
+}
+
+/// Whole units of UTF-16 as text; what makes no character is marked.
+fn utf_16(bytes: &[u8], unit: fn([u8; 2]) -> u16) -> String {
+    let (units, _) = bytes.as_chunks();
+    let units = units.iter().map(|&pair| unit(pair));
+    char::decode_utf16(units).map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER)).collect()
 }

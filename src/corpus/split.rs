@@ -1,5 +1,5 @@
-//! Folds for cross-validation: examples that share a key (a command, a task) stay together, so that none of it
-//! is in both halves. A pure function of keys and seed.
+//! Parting a corpus, for cross-validation and for holding some of it out: examples that share a key (a command, a task)
+//! stay together, so that none of it is in both halves. A pure function of keys and seed.
 
 use indexmap::IndexMap;
 use rand::{RngExt, SeedableRng};
@@ -15,10 +15,43 @@ pub struct Fold {
     pub test: Vec<u32>,
 }
 
+impl Fold {
+    /// The fold of `n` examples with this test half.
+    fn with_test(n: u32, mut test: Vec<u32>) -> Fold {
+        test.sort_unstable();
+        let train = (0..n).filter(|row| test.binary_search(row).is_err()).collect();
+        Fold { train, test }
+    }
+}
+
 /// Parts examples, given by their keys, into `n` folds of about the same size. Keys come in an order that `seed`
 /// shuffles, and each goes to the fold that has the fewest examples. Every example is in the test half of just one
 /// fold and in the training half of all others. With fewer keys than folds some test halves are empty.
 pub fn folds(keys: &[String], n: u32, seed: u32) -> Vec<Fold> {
+    let mut tests = vec![Vec::new(); n as usize];
+    for group in shuffled(keys, seed) {
+        if let Some(fewest) = tests.iter_mut().min_by_key(|test| test.len()) {
+            fewest.extend(group);
+        }
+    }
+    tests.into_iter().map(|test| Fold::with_test(keys.len() as u32, test)).collect()
+}
+
+/// Holds some examples out: keys come in an order that `seed` shuffles, and each goes to the test half as long as that
+/// has no more than `percent` of the examples with it. A key that is too large for it stays out, and smaller ones follow.
+pub fn share(keys: &[String], percent: u32, seed: u32) -> Fold {
+    let most = keys.len() as u64 * u64::from(percent.min(100)) / 100;
+    let mut test = Vec::new();
+    for group in shuffled(keys, seed) {
+        if (test.len() + group.len()) as u64 <= most {
+            test.extend(group);
+        }
+    }
+    Fold::with_test(keys.len() as u32, test)
+}
+
+/// The examples of each key, keys in an order that `seed` shuffles.
+fn shuffled(keys: &[String], seed: u32) -> Vec<Vec<u32>> {
     let mut groups: IndexMap<&str, Vec<u32>, FxBuildHasher> = IndexMap::default();
     for (row, key) in (0..).zip(keys) {
         groups.entry(key).or_default().push(row);
@@ -29,16 +62,5 @@ pub fn folds(keys: &[String], n: u32, seed: u32) -> Vec<Fold> {
         let other = random.random_range(0..=last);
         groups.swap(last as usize, other as usize);
     }
-    let mut folds = vec![Fold::default(); n as usize];
-    for group in groups {
-        if let Some(fewest) = folds.iter_mut().min_by_key(|fold| fold.test.len()) {
-            fewest.test.extend(group);
-        }
-    }
-    for fold in &mut folds {
-        fold.test.sort_unstable();
-        let is_train = |row: &u32| fold.test.binary_search(row).is_err();
-        fold.train = (0..keys.len() as u32).filter(is_train).collect();
-    }
-    folds
+    groups
 }

@@ -1,7 +1,7 @@
 //! The settings of training, and how a model file tells them.
 
 use super::planning::Planning;
-use crate::ccg::{ChartConfig, Model};
+use crate::ccg::{ChartConfig, Kind, Kinds, Model};
 
 /// The settings of a training run; the default is the paper's.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +26,8 @@ pub struct Config {
     pub generations: u32,
     /// Whether commands that recur may become idioms when training is over.
     pub idioms: bool,
+    /// Kinds of features that are done without.
+    pub without: Kinds,
     /// The planner that the paper's Table III compares against; `None` learns as the paper does.
     pub planning: Option<Planning>,
 }
@@ -43,6 +45,7 @@ impl Default for Config {
             lexical_budget: 20_000,
             generations: 2,
             idioms: true,
+            without: Kinds::NONE,
             planning: None,
         }
     }
@@ -71,14 +74,15 @@ impl Config {
             lexical_budget: fact(model, "lexical_budget", default.lexical_budget),
             generations: fact(model, "generations", default.generations),
             idioms: fact(model, "idioms", default.idioms),
+            without: model.facts.get("without").map(|names| kinds(names)).unwrap_or_default(),
             planning: None,
         }
     }
 
     /// The settings as facts of a model file.
-    pub(super) fn facts(&self) -> [(&'static str, String); 10] {
+    pub(super) fn facts(&self) -> Vec<(&'static str, String)> {
         let demonstrations = self.demonstrations.map_or("all".to_owned(), |n| n.to_string());
-        [
+        let mut facts = vec![
             ("epochs", self.epochs.to_string()),
             ("beam", self.beam.to_string()),
             ("lexical_beam", self.lexical_beam.to_string()),
@@ -89,6 +93,17 @@ impl Config {
             ("lexical_budget", self.lexical_budget.to_string()),
             ("generations", self.generations.to_string()),
             ("idioms", self.idioms.to_string()),
-        ]
+        ];
+        if !self.without.is_empty() {
+            let names: Vec<&str> = self.without.iter().map(Kind::name).collect();
+            facts.push(("without", names.join(" ")));
+        }
+        facts
     }
+}
+
+/// Kinds by their names; other names are none.
+fn kinds(names: &str) -> Kinds {
+    let named = |name: &str| Kind::ALL.iter().find(|(known, _)| *known == name).map(|(_, k)| *k);
+    names.split(' ').filter_map(named).collect()
 }

@@ -5,9 +5,10 @@ use super::config::Config;
 use super::evaluate::Judge;
 use super::paper;
 use super::planning::{PlannerCost, Planning};
+use super::progress::{Epoch, Progress};
 use super::report::Report;
 use super::score::Scores;
-use super::trainer::{Epoch, Progress, Trainer};
+use super::trainer::Trainer;
 use crate::ccg::{ChartConfig, Model, words};
 use crate::corpus::{Example, Fold, folds};
 use serde::{Deserialize, Serialize};
@@ -31,6 +32,14 @@ impl Selection {
     /// The rows with these indices; those that there are.
     pub fn of(corpus: &Arc<[Example]>, rows: Vec<u32>) -> Self {
         Selection { corpus: corpus.clone(), rows: Some(rows) }
+    }
+
+    /// The rows as a corpus of their own, which is the same one for all of them.
+    pub fn into_shared(self) -> Arc<[Example]> {
+        match self.rows {
+            None => self.corpus,
+            Some(_) => self.examples().into(),
+        }
     }
 
     /// The number of rows.
@@ -228,25 +237,33 @@ pub enum By {
     Row,
     /// Commands of one task; those without a label are one task more.
     Task,
+    /// Commands of one person; those that do not tell are one person more.
+    Worker,
 }
 
 impl By {
     /// All ways, by name.
-    pub const ALL: [(&'static str, By); 3] =
-        [("command", By::Command), ("row", By::Row), ("task", By::Task)];
+    pub const ALL: [(&'static str, By); 4] =
+        [("command", By::Command), ("row", By::Row), ("task", By::Task), ("worker", By::Worker)];
+
+    /// What parts a corpus in this way: examples with the same key stay together.
+    pub fn keys(self, corpus: &[Example]) -> Vec<String> {
+        corpus.iter().enumerate().map(|row| self.key(row)).collect()
+    }
 
     fn key(self, (row, example): (usize, &Example)) -> String {
         match self {
             By::Command => words(&example.command).join(" "),
             By::Row => row.to_string(),
             By::Task => example.task.clone().unwrap_or_default(),
+            By::Worker => example.worker.clone().unwrap_or_default(),
         }
     }
 }
 
 /// The runs of a cross-validation: for each of `n` folds, training on all others and judging on it.
 pub fn cross(corpus: &Arc<[Example]>, n: u32, by: By, config: &Config) -> Vec<Run> {
-    let keys: Vec<String> = corpus.iter().enumerate().map(|row| by.key(row)).collect();
+    let keys = by.keys(corpus);
     let run = |(number, Fold { train, test }): (usize, Fold)| Run {
         name: format!("fold {number}"),
         train: Selection::of(corpus, train),

@@ -4,7 +4,7 @@ use crate::ccg::words;
 use crate::corpus::Example;
 
 /// The fingerprint of a corpus.
-pub(super) fn fingerprint(examples: &[Example]) -> String {
+pub fn fingerprint(examples: &[Example]) -> String {
     let mut hasher = blake3::Hasher::new();
     for example in examples {
         // No command has a line break in it once it is split into words: parts cannot run into each other.

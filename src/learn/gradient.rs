@@ -13,42 +13,35 @@ const RATE: f64 = 0.3;
 const LEAST: f64 = 1e-4;
 
 /// θ += rate · (mean φ of the valid readings − mean φ of all), each weighted by exp(θ·φ), invalid ones with `margin`
-/// added to their score. Returns whether there was something to tell apart. A reading is a goal with its φ; which of
-/// them are valid stands in the same order.
+/// added to their score. Only weights that `moves` lets move do. Returns how far each reading was followed; nothing
+/// where there was nothing to tell apart. A reading is a goal with its φ; which of them are valid stands in the same
+/// order.
 pub fn update(
-    features: &mut Features,
-    readings: &[(TermId, Rc<Vector>)],
-    valid: &[bool],
-    margin: f64,
-    moment: f64,
-) -> bool {
-    update_where(features, readings, valid, (margin, moment), Feature::is_learned)
-}
-
-/// The same step for those weights alone that `moves` lets move; margin and moment.
-pub fn update_where(
     features: &mut Features,
     readings: &[(TermId, Rc<Vector>)],
     valid: &[bool],
     (margin, moment): (f64, f64),
     moves: impl Fn(Feature) -> bool,
-) -> bool {
+) -> Option<Vec<f64>> {
     let score = |((_, vector), &valid): (&(TermId, Rc<Vector>), &bool)| {
         features.dot(vector) + if valid { 0.0 } else { margin }
     };
     let scores: Vec<f64> = readings.iter().zip(valid).map(score).collect();
     if !valid.contains(&false) {
-        return false;
+        return None;
     }
-    let Some(shares_of_valid) = softmax(&scores, |at| valid[at]) else { return false };
-    let Some(shares) = softmax(&scores, |_| true) else { return false };
-    for (((_, vector), share), share_of_valid) in readings.iter().zip(shares).zip(shares_of_valid) {
-        let by = RATE * (share_of_valid - share);
-        if by.abs() > LEAST {
+    let shares_of_valid = softmax(&scores, |at| valid[at])?;
+    let mut steps = softmax(&scores, |_| true)?;
+    for (((_, vector), step), share_of_valid) in
+        readings.iter().zip(&mut steps).zip(shares_of_valid)
+    {
+        let by = RATE * (share_of_valid - *step);
+        *step = if by.abs() > LEAST { by } else { 0.0 };
+        if *step != 0.0 {
             features.add_where(vector, by, moment, &moves);
         }
     }
-    true
+    Some(steps)
 }
 
 /// exp(score) over its sum, among the members; 0 for others. `None` without members.

@@ -3,8 +3,9 @@
 //! they are enough, a sentence without the new words scores what it scored before, to the last bit.
 
 use super::config::Config;
-use super::gradient::update_where;
-use super::trainer::{Phase, Trainer};
+use super::gradient::update;
+use super::phase::Phase;
+use super::trainer::Trainer;
 use crate::ccg::{ChartConfig, EntryId, Feature, Features, LexemeId, Model, Origin, Vector, parse};
 use crate::corpus::Example;
 use crate::ground::Validator;
@@ -180,7 +181,7 @@ impl Teaching {
         };
         // Moment 0: a finished model has no drifts, and gets none.
         let step = (self.trainer.config().margin, 0.0);
-        update_where(self.trainer.features_mut(), readings, valid, step, moves);
+        update(self.trainer.features_mut(), readings, valid, step, moves);
     }
 
     /// What came of it. Weights of entries that were there before stay as they were, unless moving them helped.

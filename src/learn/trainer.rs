@@ -7,14 +7,18 @@ use super::genlex::{Candidate, CoarseCharts, Generated, Scope, generate};
 use super::gradient::update;
 use super::idioms::{Command, Idioms};
 use super::kept::{Kept, Read};
+use super::look::{Last, Look};
+use super::phase::Phase;
+use super::place::{BORN, PLACE, ResumeError, born};
 use super::planning::{PlannerCost, Planning, Validation};
+use super::progress::{Epoch, Progress};
 use crate::ccg::absorb::{Leniency, absorbing, absorption};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::lookup::{lexical_item, lexical_items};
 use crate::ccg::parse::{Parse, fill_knowing};
 use crate::ccg::{
-    Atom, Category, Derivation, EntryId, Features, Grammar, MAX_WORDS, Model, Origin, Reading,
-    Vector, words,
+    Atom, Category, Derivation, EntryId, Feature, Features, Grammar, MAX_WORDS, Model, Origin,
+    Reading, Vector, words,
 };
 use crate::corpus::Example;
 use crate::ground::PairId;
@@ -25,82 +29,14 @@ use rand_pcg::Pcg32;
 use rustc_hash::FxBuildHasher;
 use std::rc::Rc;
 
-/// How far training is, after an example.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
-    /// The epoch at work, from 1; one past the last while idioms are looked for.
-    pub epoch: u32,
-    /// Examples of this epoch that were seen.
-    pub example: usize,
-    /// What this epoch did so far.
-    pub so_far: Epoch,
-}
-
-/// What an epoch did.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Epoch {
-    /// Examples with a valid parse.
-    pub valid: usize,
-    /// Updates of the weights.
-    pub updates: usize,
-    /// Entries of the lexicon at its end.
-    pub entries: usize,
-    /// Sentences whose chart ran out of its budget.
-    pub over_budget: usize,
-}
-
 /// What each constant of a candidate costs while it is no part of the lexicon: that a word means nothing is believed
 /// sooner than that it means something new.
 const NOVELTY: f64 = 1.0;
-
-/// The facts of a checkpoint that a finished model does not have.
-const PLACE: [&str; 5] = ["at_epoch", "at_example", "at_valid", "at_updates", "at_over_budget"];
 
 /// A command as training sees it, with the demonstrations of each example that has it: they share a chart.
 struct Item {
     words: Vec<String>,
     examples: Vec<Vec<PairId>>,
-}
-
-/// Examples of one command for which entries are generated in an epoch: a command that contradicts itself is not
-/// to be asked over and over.
-const MAX_GENERATIONS: usize = 2;
-
-/// What is done next with the command at work.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Phase {
-    /// It is parsed with the lexicon; valid parses, or none to be hoped for, lead to the updates.
-    Explain,
-    /// New entries are generated first, for one of its examples.
-    Generate(usize, Scope),
-}
-
-impl Phase {
-    /// What to generate next: for an example without a valid reading unknown words first, then all.
-    pub(super) fn next(self, judged: &[Vec<bool>]) -> Option<Phase> {
-        let is_open = |example: &usize| !judged[*example].contains(&true);
-        let first = match self {
-            Phase::Generate(example, Scope::UnknownWords) if is_open(&example) => {
-                return Some(Phase::Generate(example, Scope::AllWords));
-            }
-            Phase::Generate(example, _) => example + 1,
-            Phase::Explain => 0,
-        };
-        let end = judged.len().min(MAX_GENERATIONS);
-        (first..end).find(is_open).map(|example| Phase::Generate(example, Scope::UnknownWords))
-    }
-}
-
-/// Why a run cannot go on from a checkpoint.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the checkpoint does not fit: its {fact} is {theirs}, that of this run is {ours}")]
-pub struct ResumeError {
-    /// The fact that differs.
-    pub fact: String,
-    /// Its value in the checkpoint.
-    pub theirs: String,
-    /// Its value in this run.
-    pub ours: String,
 }
 
 /// A training run. Every [`Trainer::step`] does a bounded part of it.
@@ -119,6 +55,12 @@ pub struct Trainer {
     next: usize,
     phase: Phase,
     so_far: Epoch,
+    /// What was learned last.
+    last: Option<Last>,
+    /// Entries of the lexicon when the command at work was begun.
+    entries: usize,
+    /// For each entry that was learned, in the lexicon's order, the place of the command that it came from.
+    born: Vec<u32>,
     /// What is done when the epochs are over.
     idioms: Option<Idioms>,
 }
@@ -126,6 +68,7 @@ pub struct Trainer {
 impl Trainer {
     /// A run over the examples, from a model that knows a seed lexicon.
     pub fn new(mut model: Model, examples: &[Example], config: Config) -> Self {
+        model.features.silence(config.without);
         for (name, value) in config.facts() {
             model.facts.insert(name.to_owned(), value);
         }
@@ -158,8 +101,12 @@ impl Trainer {
             next: 0,
             phase: Phase::Explain,
             so_far: Epoch::default(),
+            last: None,
+            entries: 0,
+            born: Vec::new(),
             idioms: None,
         };
+        trainer.entries = trainer.model.lexicon.len();
         trainer.begin_epoch();
         trainer
     }
@@ -199,7 +146,9 @@ impl Trainer {
         trainer.next = next;
         let entries = trainer.model.lexicon.len();
         trainer.so_far = Epoch { valid, updates, entries, over_budget };
-        PLACE.iter().for_each(|&fact| drop(trainer.model.facts.shift_remove(fact)));
+        trainer.born = born(theirs.get(BORN), trainer.items.len(), entries);
+        let place = PLACE.iter().chain([&BORN]);
+        place.for_each(|&fact| drop(trainer.model.facts.shift_remove(fact)));
         Ok(trainer)
     }
 
@@ -219,6 +168,10 @@ impl Trainer {
         let place = [self.epoch as usize, self.next, valid, updates, over_budget];
         for (fact, value) in PLACE.iter().zip(place) {
             model.facts.insert((*fact).to_owned(), value.to_string());
+        }
+        if !self.born.is_empty() {
+            let born: Vec<String> = self.born.iter().map(u32::to_string).collect();
+            model.facts.insert(BORN.to_owned(), born.join(" "));
         }
         model.print()
     }
@@ -310,6 +263,24 @@ impl Trainer {
         done.map(|&at| self.items[at as usize].examples.len()).sum()
     }
 
+    /// Whether it is between two commands, where a checkpoint may be made.
+    pub fn is_between(&self) -> bool {
+        self.phase == Phase::Explain && self.read.is_none()
+    }
+
+    /// What was learned from the command before.
+    pub fn look(&self) -> Option<Look> {
+        let last = self.last.as_ref()?;
+        let Item { words, examples } = self.items.get(last.at)?;
+        Some(last.look(&self.model, words, examples.len(), self.config.without))
+    }
+
+    /// For each entry that was learned, in the lexicon's order, the command that it came from.
+    pub fn origins(&self) -> Vec<String> {
+        let command = |&at: &u32| self.items.get(at as usize).map(|item| item.words.join(" "));
+        self.born.iter().map(|at| command(at).unwrap_or_default()).collect()
+    }
+
     /// Does the next part; the progress when that ended an example.
     pub fn step(&mut self) -> Option<Progress> {
         if self.is_done() {
@@ -338,15 +309,20 @@ impl Trainer {
         }
         self.phase = Phase::Explain;
         self.coarse.forget();
+        let mut steps = Vec::with_capacity(judged.len());
+        let without = self.config.without;
+        let moves = |feature: Feature| feature.is_learned() && !without.has(feature);
         for (moment, valid) in (self.visits() as u64..).zip(&judged) {
-            let moment = moment as f64;
-            let (features, margin) = (&mut self.model.features, self.config.margin);
-            let updated = update(features, &readings, valid, margin, moment);
+            let at = (self.config.margin, moment as f64);
+            let step = update(&mut self.model.features, &readings, valid, at, moves);
             self.so_far.over_budget += usize::from(over_budget);
             self.so_far.valid += usize::from(valid.contains(&true));
-            self.so_far.updates += usize::from(updated);
+            self.so_far.updates += usize::from(step.is_some());
+            steps.extend(step);
         }
         self.so_far.entries = self.model.lexicon.len();
+        let entries = std::mem::replace(&mut self.entries, self.model.lexicon.len());
+        self.last = Some(Last { at, readings, judged, steps, entries });
         self.next += 1;
         let progress = Progress { epoch: self.epoch, example: self.seen(), so_far: self.so_far };
         if self.next == self.items.len() {
@@ -420,7 +396,9 @@ impl Trainer {
         // Of readings that explain the demonstrations equally well, the one that asks for least is believed.
         if let Some(fewest) = additions.iter().min_by_key(|entries| entries.len()) {
             for &entry in fewest {
-                self.model.lexicon.admit(entry, Origin::Learned);
+                if self.model.lexicon.admit(entry, Origin::Learned) {
+                    self.born.push(at as u32);
+                }
             }
         }
     }

@@ -125,6 +125,7 @@ const fn is_progress(event: &Event) -> bool {
     matches!(
         event,
         Event::Reading { .. }
+            | Event::Auditing { .. }
             | Event::Progress(_)
             | Event::Experimenting(_)
             | Event::Planning(_)

@@ -3,13 +3,13 @@
 
 use super::ask::{Asked, Asking};
 use super::job::Step;
-use super::progress::{CorpusReading, Read, progress};
+use super::progress::{CorpusReading, progress};
 use super::protocol::{
-    Confused, Event, Experiment, ExperimentProgress, ExperimentReport, Figures, Judgement, Problem,
-    RunPart, RunReport, TaskFigures, WorldRules,
+    Confused, Event, Experiment, ExperimentProgress, ExperimentReport, Figures, Judgement,
+    MappedFile, Mapping, Problem, RunPart, RunReport, TaskFigures, WorldRules,
 };
 use crate::ccg::Model;
-use crate::corpus::{Corpus, Example, Options};
+use crate::corpus::Example;
 use crate::learn::experiment::{
     self as learning, Outcome, Run, Selection, cross, table_2, table_3,
 };
@@ -56,7 +56,7 @@ impl Experimenting {
     /// An experiment that begins, or why it cannot.
     pub(super) fn new(
         experiment: Experiment,
-        corpus: &[Example],
+        corpus: Selection,
         config: Config,
     ) -> Result<Self, String> {
         let lexicon = match experiment {
@@ -65,12 +65,12 @@ impl Experimenting {
         };
         let seed = seed_model(lexicon)
             .map_err(|error| format!("The seed lexicon cannot be read: {error}."))?;
-        let train = Arc::from(corpus);
+        let train: Arc<[Example]> = corpus.into_shared();
         let all = Selection::all(&train);
         let stage = match &experiment {
             Experiment::Table2 { test, .. } | Experiment::Table3 { test, .. } => {
-                let files = vec![test.clone()];
-                Stage::Read(Box::new(CorpusReading::new(files, Options::default())))
+                let files = vec![MappedFile { file: test.clone(), mapping: Mapping::default() }];
+                Stage::Read(Box::new(CorpusReading::new(files, false)))
             }
             Experiment::Demonstration { .. } => {
                 let name = "demonstration".to_owned();
@@ -114,23 +114,22 @@ impl Experimenting {
     }
 
     fn read_on(&mut self, mut reading: Box<CorpusReading>) -> Option<Event> {
-        let Some(Read { corpus, problems }) = reading.step() else {
+        let Some(read) = reading.step() else {
             self.stage = Stage::Read(reading);
             return None;
         };
-        self.problems = problems;
-        self.begin(corpus)
+        self.problems = read.problems(1);
+        self.begin(read.examples)
     }
 
     /// The test file is read: the runs begin, if it has anything to be judged on.
-    fn begin(&mut self, test: Corpus) -> Option<Event> {
-        if test.examples.is_empty() {
+    fn begin(&mut self, test: Vec<Example>) -> Option<Event> {
+        if test.is_empty() {
             let why = self.problems.first().map_or("it has no rows", |first| &first.message);
             let message = format!("No row of the test file can be used: {why}.");
             return Some(Event::Refused { message });
         }
-        let (train, test) =
-            (Selection::all(&self.train), Selection::all(&Arc::from(test.examples)));
+        let (train, test) = (Selection::all(&self.train), Selection::all(&Arc::from(test)));
         let runs = match &self.experiment {
             Experiment::Table2 { set, .. } => table_2(set, &train, &test, &self.config),
             Experiment::Table3 { budget, .. } => {
@@ -208,7 +207,7 @@ fn run_report(run: &Run, outcome: &Outcome) -> RunReport {
     }
 }
 
-fn judgement(report: &Report) -> Judgement {
+pub(super) fn judgement(report: &Report) -> Judgement {
     let scores = report.scores(Ties::Abstain);
     let resolved = report.scores(Ties::Refer);
     let [p, r, f, skipping_p, skipping_r, skipping_f] = report.intervals(Ties::Abstain);

@@ -2,140 +2,212 @@
 //! to be learned; what it learns goes to the talker as a model file.
 
 use super::experiment::Experimenting;
-use super::job::{Job, Role, Step, misdirected, say};
-use super::progress::{CorpusReading, Read, progress};
+use super::job::{Job, Rest, Role, Step, misdirected};
+use super::progress::{CorpusReading, Read};
 use super::protocol::{
-    CorpusFile, CorpusReport, Event, Lesson, MOST_TAUGHT, PairText, Program, Request, RowSummary,
-    SeedLexicon, TeachReport, TrainSettings,
+    CorpusFile, CorpusReport, Event, FileReport, Lesson, Lexicon, MOST_TAUGHT, MappedFile, Mapping,
+    PairText, Program, Request, RowSummary, Rules, SeedLexicon, Settings, SheetReport, TeachReport,
+    TrainSettings,
 };
 use super::talker::report;
+use super::training::Training;
 use crate::ccg::{EntryText, Model};
-use crate::corpus::{Cells, Corpus, Example, Options, Pair};
-use crate::learn::{
-    CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Taught, Teaching, Trainer, seed_model,
-};
+use crate::corpus::{Cells, Decision, Example, Pair};
+use crate::learn::audit::{Audit, Judged};
+use crate::learn::experiment::Selection;
+use crate::learn::fingerprint::fingerprint;
+use crate::learn::sheet::{Half, Sheet, Source};
+use crate::learn::{Config, Taught, Teaching, Trainer};
 
 /// What the learner keeps.
 #[derive(Default)]
 pub struct Learner {
-    corpus: Corpus,
+    pub(super) sheet: Sheet,
+    /// The files that were read last, good or not.
+    pub(super) read: Vec<Source>,
+    /// The run at work, or the last one.
+    pub(super) training: Option<Training>,
+    /// The model that was asked about the rows.
+    pub(super) audit: Option<Audit>,
+    /// Whether it is the run that is at work.
+    is_training: bool,
 }
 
 impl Role for Learner {
     const PROGRAM: Program = Program::Learner;
 
     fn begin(&mut self, request: Request) -> Result<Job<Learner>, String> {
+        self.is_training = matches!(request, Request::Train { .. } | Request::Learn { .. });
         match request {
-            Request::ReadCorpus { files, with_rejected } => {
-                Ok(read_corpus(files, Options { with_rejected }))
-            }
-            Request::ShowRow { row } => self.show_row(row),
-            Request::Train { lexicon, settings } => self.train(lexicon, &settings),
+            Request::ReadCorpus { files, with_rejected } => Ok(read_corpus(files, with_rejected)),
+            Request::OpenSheet { files, with_rejected } => Ok(open_sheet(files, with_rejected)),
+            Request::Train { lexicon, settings } => self.learn(&all_of(lexicon, settings), None),
+            Request::Learn { settings, resume } => self.learn(&settings, resume.as_deref()),
+            Request::Audit { model, rules } => self.audit(model.as_deref(), rules),
             Request::Teach { model, examples } => teach(&model, examples),
             Request::Experiment { experiment, settings } => {
-                let config = self.config(&settings)?;
-                let mut work = Experimenting::new(experiment, &self.corpus.examples, config)?;
+                let lexicon = SeedLexicon::Domain;
+                let config = self.config(&all_of(lexicon, settings))?;
+                let corpus = self.selection(Half::Train);
+                let mut work = Experimenting::new(experiment, corpus, config)?;
                 Ok(Box::new(move |_| work.step()))
             }
             other => Err(misdirected(&other, Self::PROGRAM)),
         }
     }
+
+    fn answer(&mut self, request: Request) -> Result<Event, String> {
+        self.answer_aside(request)
+    }
+
+    fn rest(&self) -> Rest {
+        let training = self.training.as_ref().filter(|_| self.is_training);
+        training.map_or(Rest::Example, Training::rest)
+    }
 }
 
 impl Learner {
-    fn keep(&mut self, name: String, Read { corpus, problems }: Read) -> Event {
-        let rows = corpus.examples.iter().map(|example| RowSummary {
-            command: example.command.clone(),
-            task: example.task.clone(),
-            pairs: example.pairs.len(),
-        });
-        let rows = rows.collect();
-        let Corpus { rejected, left_out, .. } = corpus;
-        let report = CorpusReport { name, rows, rejected, left_out, problems };
-        if !corpus.examples.is_empty() {
-            self.corpus = corpus;
+    /// Keeps what was read, if there is anything.
+    fn keep(&mut self, read: Read, with_rejected: bool) {
+        self.read.clone_from(&read.sources);
+        if !read.examples.is_empty() {
+            self.sheet = Sheet::new(read.sources, read.examples, with_rejected);
+            (self.training, self.audit) = (None, None);
         }
-        Event::Corpus(report)
     }
 
-    fn show_row(&self, row: usize) -> Result<Job<Learner>, String> {
-        let example = self.corpus.examples.get(row);
-        let example = example.ok_or_else(|| format!("The corpus has no row {row}."))?;
-        let pairs = example.pairs.iter();
-        let pairs = pairs.map(|p| PairText { pre: p.pre.clone(), post: p.post.clone() });
-        say(Event::Row { row, pairs: pairs.collect() })
-    }
-
-    fn train(
-        &self,
-        lexicon: SeedLexicon,
-        settings: &TrainSettings,
-    ) -> Result<Job<Learner>, String> {
+    fn learn(&mut self, settings: &Settings, resume: Option<&str>) -> Result<Job<Learner>, String> {
         let config = self.config(settings)?;
-        let lexicon = match lexicon {
-            SeedLexicon::Demonstration => DEMONSTRATION_LEXICON,
-            SeedLexicon::Domain => CLEANUP_LEXICON,
+        let train = self.selection(Half::Train).examples();
+        let trainer = match resume {
+            None => Trainer::new(settings.seed_model()?, &train, config),
+            Some(text) => {
+                let model = Model::read(text)
+                    .map_err(|error| format!("The checkpoint cannot be read: {error}."))?;
+                Trainer::resume(model, &train, config)
+                    .map_err(|error| format!("The run cannot go on: {error}."))?
+            }
         };
-        let seed = seed_model(lexicon)
-            .map_err(|error| format!("The seed lexicon cannot be read: {error}."))?;
-        let mut run = Some(Trainer::new(seed, &self.corpus.examples, config));
-        Ok(Box::new(move |_| match run.take() {
-            Some(trainer) if trainer.is_done() => {
-                let model = trainer.end();
-                Step::Over(Event::Trained(report(&model, model.print())))
-            }
-            Some(mut trainer) => {
-                let said = trainer.step().map(|done| {
-                    let (passes, examples) = (trainer.config().passes(), trainer.n_examples());
-                    Event::Progress(progress(done, passes, examples))
-                });
-                run = Some(trainer);
-                Step::Working(said)
-            }
-            None => Step::Working(None),
+        let held_out = self.selection(Half::HeldOut).examples();
+        self.training = Some(Training::new(trainer, held_out));
+        Ok(Box::new(|learner| match &mut learner.training {
+            Some(training) => training.step(),
+            None => Step::Over(Event::Cancelled),
         }))
     }
 
+    fn audit(&mut self, model: Option<&str>, rules: Rules) -> Result<Job<Learner>, String> {
+        let model = match model {
+            Some(text) => {
+                Model::read(text).map_err(|error| format!("The model cannot be read: {error}."))?
+            }
+            None => {
+                let trained = self.training.as_ref().and_then(Training::model);
+                let known = || self.audit.as_mut().map(|audit| audit.model().clone());
+                trained.or_else(known).ok_or("There is no model yet: train one, or open one.")?
+            }
+        };
+        let examples = self.sheet.examples().clone();
+        self.sheet.forget_outcomes();
+        self.audit = Some(Audit::new(model, examples));
+        Ok(Box::new(move |learner| {
+            let Learner { audit: Some(audit), sheet, .. } = learner else {
+                return Step::Over(Event::Cancelled);
+            };
+            if audit.is_over() {
+                sheet.mark(rules);
+                return Step::Over(Event::Care(sheet.care(None)));
+            }
+            let judged = audit.step();
+            for Judged { row, outcome, form } in &judged {
+                sheet.judged(*row, *outcome, form.as_deref());
+            }
+            let (done, of) = audit.progress();
+            let event = Event::Auditing { done: done as u32, of: of as u32 };
+            Step::Working((!judged.is_empty()).then_some(event))
+        }))
+    }
+
+    /// The rows of a half that are used.
+    fn selection(&self, half: Half) -> Selection {
+        let (corpus, rows) = (self.sheet.examples(), self.sheet.rows_in(half));
+        match rows.len() == corpus.len() {
+            true => Selection::all(corpus),
+            false => Selection::of(corpus, rows),
+        }
+    }
+
     /// The settings of a run on the corpus that is kept, or why there can be none.
-    fn config(&self, settings: &TrainSettings) -> Result<Config, String> {
-        if self.corpus.examples.is_empty() {
+    fn config(&self, settings: &Settings) -> Result<Config, String> {
+        if self.sheet.is_empty() {
             return Err("There is nothing to learn from: load a corpus first.".to_owned());
         }
-        let limits = [
-            ("epochs", settings.epochs, 1..=1_000),
-            ("beam", settings.beam, 1..=10_000),
-            ("lexical beam", settings.lexical_beam, 1..=10_000),
-            ("demonstrations", settings.demonstrations.unwrap_or(1), 1..=1_000),
-        ];
-        for (name, value, range) in limits {
-            if !range.contains(&value) {
-                let (least, most) = range.into_inner();
-                return Err(format!("The {name} must be between {least} and {most}."));
-            }
+        if self.selection(Half::Train).is_empty() {
+            return Err("There is nothing to learn from: no row is used.".to_owned());
         }
-        Ok(Config {
-            epochs: settings.epochs,
-            beam: settings.beam,
-            lexical_beam: settings.lexical_beam,
-            demonstrations: settings.demonstrations,
-            seed: settings.seed,
-            ..Config::default()
-        })
+        settings.config()
     }
 }
 
-fn read_corpus(files: Vec<CorpusFile>, options: Options) -> Job<Learner> {
-    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-    let name = names.join(", ");
-    let mut reading = CorpusReading::new(files, options);
+/// The settings of a run that differs from the paper's in these.
+fn all_of(lexicon: SeedLexicon, settings: TrainSettings) -> Settings {
+    let TrainSettings { epochs, beam, lexical_beam, demonstrations, seed } = settings;
+    let lexicon = Lexicon::Here(lexicon);
+    Settings { lexicon, epochs, beam, lexical_beam, demonstrations, seed, ..Settings::default() }
+}
+
+/// Reads files; what came of them is told by `report`.
+fn read(
+    files: Vec<MappedFile>,
+    with_rejected: bool,
+    mut report: impl FnMut(&mut Learner, Read) -> Event + 'static,
+) -> Job<Learner> {
+    let mut reading = CorpusReading::new(files, with_rejected);
     let mut told = 0;
     Box::new(move |learner| match reading.step() {
-        Some(read) => Step::Over(learner.keep(name.clone(), read)),
+        Some(read) => Step::Over(report(learner, read)),
         None => {
             let (done, of) = reading.progress();
             let is_news = std::mem::replace(&mut told, done) < done && done < of;
             Step::Working(is_news.then_some(Event::Reading { done, of }))
         }
+    })
+}
+
+fn read_corpus(files: Vec<CorpusFile>, with_rejected: bool) -> Job<Learner> {
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    let (name, n_files) = (names.join(", "), files.len());
+    let unmapped = |file| MappedFile { file, mapping: Mapping::default() };
+    let files = files.into_iter().map(unmapped).collect();
+    read(files, with_rejected, move |learner, read| {
+        let rows = read.examples.iter().map(|example| RowSummary {
+            command: example.command.clone(),
+            task: example.task.clone(),
+            pairs: example.pairs.len(),
+        });
+        let rows = rows.collect();
+        let (rejected, left_out, problems) = (read.rejected, read.left_out, read.problems(n_files));
+        learner.keep(read, with_rejected);
+        Event::Corpus(CorpusReport { name: name.clone(), rows, rejected, left_out, problems })
+    })
+}
+
+fn open_sheet(files: Vec<MappedFile>, with_rejected: bool) -> Job<Learner> {
+    read(files, true, move |learner, read| {
+        let files = read.sources.iter().zip(&read.useless);
+        let files = files.map(|(source, useless)| FileReport {
+            name: source.name.clone(),
+            rows: source.rows as u32,
+            left_out: source.left_out as u32,
+            bad_rows: source.bad.kept as u32,
+            mapping: source.mapping.clone(),
+            useless: useless.clone(),
+        });
+        let (files, faults) = (files.collect(), read.faults());
+        learner.keep(read, with_rejected);
+        let care = learner.sheet.care(None);
+        let corpus = fingerprint(learner.sheet.examples());
+        Event::Sheet(Box::new(SheetReport { files, faults, care, corpus }))
     })
 }
 
@@ -176,6 +248,7 @@ fn example(lesson: Lesson) -> Example {
         command: lesson.command,
         task: None,
         worker: None,
+        decision: Decision::Open,
         pairs: pairs.collect(),
         rest: Cells::default(),
     }

@@ -13,7 +13,9 @@ pub mod job;
 mod talker;
 mod progress;
 mod experiment;
+mod training;
 mod learner;
+mod bench;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;
 

@@ -1,41 +1,47 @@
 //! Long work of the learner, and how far it is: files that are read in bounded steps, a training run.
 
-use super::protocol::{CorpusFile, Problem, Progress};
-use crate::corpus::{Corpus, Flaw, Options, Reading};
+use super::protocol::{CorpusFile, Fault, MappedFile, Problem, Progress};
+use crate::corpus::{Corpus, Example, Flaw, Options, Reading};
 use crate::learn;
+use crate::learn::sheet::Source;
 use std::io::Cursor;
 
 /// Files that are being read as one corpus.
 pub(super) struct CorpusReading {
-    waiting: std::vec::IntoIter<CorpusFile>,
-    now: Option<(String, Reading<Cursor<Vec<u8>>>)>,
-    options: Options,
-    n_files: usize,
+    waiting: std::vec::IntoIter<MappedFile>,
+    now: Option<(Source, Reading<Cursor<Vec<u8>>>)>,
+    with_rejected: bool,
     /// Bytes of the files that are read, and of all.
     done: u64,
     of: u64,
-    corpus: Corpus,
-    problems: Vec<Problem>,
+    read: Read,
 }
 
 /// What there is of files that were read.
+#[derive(Default)]
 pub(super) struct Read {
-    pub(super) corpus: Corpus,
-    pub(super) problems: Vec<Problem>,
+    /// The good rows of all files; none if one of them has none.
+    pub(super) examples: Vec<Example>,
+    /// The files.
+    pub(super) sources: Vec<Source>,
+    /// For each why no row of it can be used.
+    pub(super) useless: Vec<Option<String>>,
+    pub(super) rejected: usize,
+    pub(super) left_out: usize,
+    /// What is wrong or odd, with the number of its file.
+    pub(super) flaws: Vec<(u32, Flaw)>,
 }
 
 impl CorpusReading {
     /// The beginning of some files.
-    pub(super) fn new(files: Vec<CorpusFile>, options: Options) -> Self {
+    pub(super) fn new(files: Vec<MappedFile>, with_rejected: bool) -> Self {
         CorpusReading {
-            n_files: files.len(),
-            of: files.iter().map(|file| file.bytes.len() as u64).sum(),
+            of: files.iter().map(|mapped| mapped.file.bytes.len() as u64).sum(),
             waiting: files.into_iter(),
             now: None,
-            options,
+            with_rejected,
             done: 0,
-            corpus: Corpus::default(),
-            problems: Vec::new(),
+            read: Read::default(),
         }
     }
 
@@ -53,54 +59,87 @@ impl CorpusReading {
                 if reading.step() {
                     return None;
                 }
-                let (name, reading) = self.now.take()?;
+                let (source, reading) = self.now.take()?;
                 self.done += reading.bytes();
                 let (corpus, flaws) = reading.end();
-                self.take_in(&name, corpus, flaws)
+                self.take_in(source, corpus, flaws)
             }
             None => {
-                let Some(CorpusFile { name, bytes }) = self.waiting.next() else {
-                    return Some(self.end());
+                let Some(MappedFile { file: CorpusFile { name, bytes }, mapping }) =
+                    self.waiting.next()
+                else {
+                    return Some(std::mem::take(&mut self.read));
                 };
-                match Reading::new(Cursor::new(bytes), self.options) {
+                let with_rejected = self.with_rejected;
+                let options = Options { with_rejected, mapping: mapping.clone() };
+                let source = Source { name, mapping, ..Source::default() };
+                match Reading::new(Cursor::new(bytes), options) {
                     Ok(reading) => {
-                        self.now = Some((name, reading));
+                        self.now = Some((source, reading));
                         None
                     }
-                    Err(flaw) => self.take_in(&name, Corpus::default(), vec![flaw]),
+                    Err(flaw) => self.take_in(source, Corpus::default(), vec![flaw]),
                 }
             }
         }
     }
 
-    fn take_in(&mut self, name: &str, corpus: Corpus, flaws: Vec<Flaw>) -> Option<Read> {
-        let is_bad = corpus.examples.is_empty();
-        if is_bad && flaws.is_empty() {
-            let why = corpus.why_empty(&flaws).unwrap_or_default();
-            self.problems.push(self.problem(name, Flaw::of_file(why)));
+    fn take_in(&mut self, source: Source, corpus: Corpus, flaws: Vec<Flaw>) -> Option<Read> {
+        let file = self.read.sources.len() as u32;
+        let useless = corpus.why_empty(&flaws);
+        let is_bad = useless.is_some();
+        if let Some(why) = useless.iter().find(|_| flaws.is_empty()) {
+            self.read.flaws.push((file, Flaw::of_file(why.clone())));
         }
-        let problems: Vec<Problem> =
-            flaws.into_iter().map(|flaw| self.problem(name, flaw)).collect();
-        self.problems.extend(problems);
-        let (rejected, left_out) = (corpus.rejected, corpus.left_out);
-        self.corpus.append(corpus);
+        self.read.flaws.extend(flaws.into_iter().map(|flaw| (file, flaw)));
+        self.read.useless.push(useless);
+        self.read.sources.push(Source {
+            is_json: corpus.columns.is_empty(),
+            rows: corpus.examples.len(),
+            left_out: corpus.left_out,
+            columns: corpus.columns,
+            bad: corpus.bad,
+            ..source
+        });
+        self.read.rejected += corpus.rejected;
+        self.read.left_out += corpus.left_out;
+        self.read.examples.extend(corpus.examples);
         is_bad.then(|| {
-            self.corpus = Corpus { rejected, left_out, ..Corpus::default() };
-            self.end()
+            let mut read = std::mem::take(&mut self.read);
+            read.examples = Vec::new();
+            // Counted are those of the file that ended it.
+            (read.rejected, read.left_out) = (corpus.rejected, corpus.left_out);
+            read
         })
     }
+}
 
-    fn end(&mut self) -> Read {
-        let (corpus, problems) =
-            (std::mem::take(&mut self.corpus), std::mem::take(&mut self.problems));
-        Read { corpus, problems }
+impl Read {
+    /// What is wrong with the rows, for the page: with its file, where there are several.
+    pub(super) fn problems(&self, n_files: usize) -> Vec<Problem> {
+        let problem = |(file, Flaw { line, column, wrong, kept }): &(u32, Flaw)| {
+            let name = self.sources.get(*file as usize).filter(|_| n_files > 1);
+            let message = match name {
+                Some(source) => format!("{}: {wrong}", source.name),
+                None => wrong.to_string(),
+            };
+            Problem { line: *line, column: column.clone(), message, kept: *kept }
+        };
+        self.flaws.iter().map(problem).collect()
     }
 
-    /// What is wrong with a row, for the page: with its file, where there are several.
-    fn problem(&self, name: &str, flaw: Flaw) -> Problem {
-        let Flaw { line, column, wrong, kept } = flaw;
-        let message = if self.n_files > 1 { format!("{name}: {wrong}") } else { wrong.to_string() };
-        Problem { line, column, message, kept }
+    /// The same in parts.
+    pub(super) fn faults(&self) -> Vec<Fault> {
+        let fault = |(file, Flaw { line, column, wrong, kept }): &(u32, Flaw)| Fault {
+            file: *file,
+            line: *line,
+            column: column.clone(),
+            what: wrong.what.clone(),
+            snippet: wrong.snippet.clone(),
+            mend: wrong.mend.clone(),
+            kept: *kept,
+        };
+        self.flaws.iter().map(fault).collect()
     }
 }
 

@@ -1,6 +1,6 @@
 // Sizes of the built site as it travels (brotli): `node sizes.mjs FOLDER` prints them and fails over the limits.
-// First view: the HTML, the styles, the app and the engine that talks. The renderer, the engine that learns, models and
-// corpora come after it.
+// First view: the HTML, the styles, the app and the engine that talks. The renderer, the engine that learns, the
+// workbench, models and corpora come after it.
 
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -18,6 +18,7 @@ function kindOf(name) {
   if (/^(guide|docs)\//.test(name)) return 'guide';
   if (/renderer|scene/.test(name)) return 'renderer';
   if (/learner/.test(name)) return 'learner';
+  if (/workbench/.test(name)) return 'workbench';
   if (/\.(model|groundling)$|(^|\/)model/.test(name)) return 'model';
   if (/\.(csv|jsonl)$|(^|\/)(worlds|corpus)\//.test(name)) return 'data';
   return /\.(html|css|js|wasm)$/.test(name) ? 'first' : 'later';
@@ -44,7 +45,7 @@ for (const { what, most, counts } of LIMITS) {
   console.log(`${kb(sum)} of ${kb(most)} brotli  ${what}${sum > most ? ': TOO MUCH' : ''}`);
 }
 // A site without an app is small and wrong.
-const PARTS = [/app.*\.wasm$/, /learner.*\.wasm$/, /renderer.*\.wasm$/, /\.model$/];
+const PARTS = [/app.*\.wasm$/, /learner.*\.wasm$/, /renderer.*\.wasm$/, /workbench.*\.wasm$/, /\.model$/];
 for (const part of PARTS) {
   if (!names.some((name) => part.test(name))) {
     failed += 1;

@@ -2,12 +2,18 @@
 //! read back. Bad rows, odd rows and bad files are data suites under `tests/data/corpus`.
 
 use groundling::corpus::{
-    Corpus, Flaw, Options, example::MAX_CELL_BYTES, example::MAX_FILE_BYTES, jsonl, mturk, read,
+    Corpus, Flaw, Options, jsonl, limits::MAX_CELL_BYTES, limits::MAX_FILE_BYTES, read, table,
 };
 use proptest::prelude::{any, prop, proptest};
 
 #[path = "corpus/brought.rs"]
 mod brought;
+#[path = "corpus/care.rs"]
+mod care;
+#[path = "corpus/mapped.rs"]
+mod mapped;
+#[path = "corpus/packed.rs"]
+mod packed;
 
 const PRE: &str = r#"{"agent":{"x":2,"y":3,"direction":"south"},"rooms":[{"name":"room0","color":"red","left":0,"bottom":0,"right":4,"top":4},{"name":"room1","color":"blue","left":4,"bottom":0,"right":8,"top":4}],"doors":[{"name":"door0","left":4,"bottom":2,"right":4,"top":2,"lock":"unlocked"}],"objects":[{"name":"object0","shape":"chair","color":"green","x":6,"y":2}]}"#;
 
@@ -102,7 +108,7 @@ fn a_bad_file_is_explained() {
         (&b"PK\x03\x04rest"[..], "save it as CSV"),
         (b"\x89PNG\0\0", "not a text file"),
         (b"Input.pre_1,\xE9\n", "the column Input.post_1 is missing"),
-        (b"\x1F\x8B\x08\0", "unpack it"),
+        (b"\x1F\x8B\x08\0", "cut short or damaged"),
     ] {
         let (_, flaws) = csv(bytes);
         assert!(flaws[0].to_string().contains(said), "{flaws:?}");
@@ -181,7 +187,7 @@ fn rejected_rows_are_left_out_unless_asked_for() {
     );
     let (corpus, flaws) = csv(&text);
     assert_eq!((commands(&corpus), corpus.rejected, flaws), (vec!["a", "d"], 2, vec![]));
-    let (corpus, _) = read(text.as_bytes(), Options { with_rejected: true });
+    let (corpus, _) = read(text.as_bytes(), Options { with_rejected: true, ..Options::default() });
     assert_eq!((commands(&corpus), corpus.rejected), (vec!["a", "b", "c", "d"], 0));
 }
 
@@ -207,7 +213,7 @@ fn answers_of_crowd_forms_are_read() {
             Err(said) => assert!(flaws[0].to_string().contains(said), "{form}: {flaws:?}"),
         }
         let mut written = Vec::new();
-        mturk::write(&corpus, &mut written).unwrap();
+        table::write(&corpus, &mut written).unwrap();
         assert_eq!(commands(&csv(written).0), commands(&corpus));
     }
 }
@@ -270,7 +276,7 @@ fn both_forms_write_what_they_read() {
     let (corpus, flaws) = csv(&text);
     assert_eq!(flaws, []);
     let mut written = Vec::new();
-    mturk::write(&corpus, &mut written).unwrap();
+    table::write(&corpus, &mut written).unwrap();
     assert_eq!(String::from_utf8(written).unwrap(), text);
 
     let mut lines = Vec::new();
@@ -279,7 +285,7 @@ fn both_forms_write_what_they_read() {
     assert_eq!(flaws, []);
     assert_eq!(commands(&again), commands(&corpus));
     let mut as_csv = Vec::new();
-    mturk::write(&again, &mut as_csv).unwrap();
+    table::write(&again, &mut as_csv).unwrap();
     let (twice, flaws) = csv(as_csv);
     assert_eq!(flaws, []);
     let facts = |c: &Corpus| -> Vec<_> {

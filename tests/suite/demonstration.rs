@@ -3,7 +3,7 @@
 //! could say (the biggest room, the object, the thing on the left …) one of them disproves.
 //! `GROUNDLING_BLESS=1` writes the file anew.
 
-use groundling::corpus::{Cells, Corpus, Example, Options, Pair, mturk, read};
+use groundling::corpus::{Cells, Corpus, Decision, Example, Options, Pair, read, table};
 use groundling::domain::{Color, Direction, Layout, Object, Plan, Shape, State, generate};
 use groundling::ground::{Class, PREDICATES, PairId, Relation, Thing, Validator};
 use groundling::logic::{TermId, Terms};
@@ -197,6 +197,7 @@ fn make() -> Corpus {
             command: command.to_owned(),
             task: Some(task.to_owned()),
             worker: None,
+            decision: Decision::Open,
             pairs,
             rest: Cells::default(),
         });
@@ -207,7 +208,7 @@ fn make() -> Corpus {
 #[test]
 fn the_file_is_what_its_seeds_make() {
     let mut made = Vec::new();
-    mturk::write(&make(), &mut made).unwrap();
+    table::write(&make(), &mut made).unwrap();
     if std::env::var_os("GROUNDLING_BLESS").is_some() {
         std::fs::write(PATH, &made).unwrap();
     }

@@ -13,7 +13,7 @@ mod novelty;
 mod resume;
 
 use groundling::ccg::{ChartConfig, Model, parse};
-use groundling::corpus::{Cells, Corpus, Example, Options, Pair, read};
+use groundling::corpus::{Cells, Corpus, Decision, Example, Options, Pair, read};
 use groundling::learn::{
     Config, DEMONSTRATION_LEXICON, Evaluation, Progress, Score, Trainer, seed_model,
 };
@@ -103,6 +103,7 @@ fn example(command: &str, pairs: Vec<Pair>) -> Example {
         command: command.to_owned(),
         task,
         worker,
+        decision: Decision::Open,
         pairs,
         rest,
     }

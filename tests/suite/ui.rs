@@ -16,6 +16,8 @@ mod talk;
 mod teach;
 #[path = "ui/text.rs"]
 mod text;
+#[path = "ui/bench.rs"]
+mod bench;
 #[path = "ui/train.rs"]
 mod train;
 
@@ -30,10 +32,9 @@ use groundling::ui::page::language::Language;
 use groundling::ui::page::world::WORLDS;
 use groundling::ui::talk::Action as Talk;
 use groundling::ui::talk::why::messages::{Message, messages};
-use groundling::ui::train::Action as Train;
 use groundling::worker::protocol::{
-    Answer, Article, Claim, CorpusReport, Description, Envelope, Event, Fate, Noun, PairText,
-    PlanProgress, PlanText, Program, Reading, Request, RowSummary, TrainReport, VERSION, Why, Word,
+    Answer, Article, Claim, Description, Envelope, Event, Fate, Noun, PairText, PlanProgress,
+    PlanText, Program, Reading, Request, TrainReport, VERSION, Why, Word,
 };
 
 /// A page and the engines' side of the talk: what was posted and not yet answered.
@@ -148,23 +149,6 @@ impl Act for Action {
 impl Act for Talk {
     fn whole(self) -> Action {
         Action::Talk(self)
-    }
-}
-
-impl Act for Train {
-    fn whole(self) -> Action {
-        Action::Train(self)
-    }
-}
-
-pub(crate) fn report(name: &str, rows: usize) -> CorpusReport {
-    let row = RowSummary { command: "go".to_owned(), task: None, pairs: 1 };
-    CorpusReport {
-        name: name.to_owned(),
-        rows: vec![row; rows],
-        rejected: 0,
-        left_out: 0,
-        problems: Vec::new(),
     }
 }
 

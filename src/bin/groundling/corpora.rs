@@ -2,7 +2,7 @@
 
 use super::command::Failure;
 use groundling::ccg::{General, Model};
-use groundling::corpus::example::MAX_FILE_BYTES;
+use groundling::corpus::limits::MAX_FILE_BYTES;
 use groundling::corpus::{Example, Flaw, Options, read, text_of};
 use serde_json::Value;
 use std::fs::{self, File};
@@ -74,7 +74,7 @@ pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Loaded,
             }
             Box::new(file)
         };
-        let (corpus, flaws) = read(source, Options { with_rejected });
+        let (corpus, flaws) = read(source, Options { with_rejected, ..Options::default() });
         let rows =
             Rows { read: corpus.rows(), rejected: corpus.rejected, left_out: corpus.left_out };
         if let Some(why) = corpus.why_empty(&flaws) {

@@ -2,7 +2,7 @@
 
 use super::command::{Command, Done, Failure};
 use super::corpora::text;
-use groundling::corpus::{Cells, Corpus, Example, example::MAX_PAIRS, jsonl, mturk};
+use groundling::corpus::{Cells, Corpus, Decision, Example, jsonl, limits::MAX_PAIRS, table};
 use groundling::domain::Blueprint;
 use groundling::study::{TASKS, draw, read_tasks};
 use lexopt::ValueExt;
@@ -115,13 +115,14 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
                 command: saying.words.clone(),
                 task: Some(task.name.clone()),
                 worker: saying.voice.clone(),
+                decision: Decision::Open,
                 pairs: drawn.pairs,
                 rest: Cells::default(),
             });
         }
     }
     let out = BufWriter::new(io::stdout().lock());
-    if options.json { jsonl::write(&corpus, out) } else { mturk::write(&corpus, out) }
+    if options.json { jsonl::write(&corpus, out) } else { table::write(&corpus, out) }
         .map_err(Failure::Output)?;
     Ok(Done::Well)
 }

@@ -1,10 +1,11 @@
 //! What can happen: a person did it on a page or around it, an engine said it, or a timer ran out.
 
 use crate::ui::page::effect::Timer;
-use crate::ui::page::files::Offered;
+use crate::ui::page::files::Given;
 use crate::ui::page::language::Language;
+use crate::ui::page::news::News;
 use crate::ui::page::preferences::{Depth, Preferences};
-use crate::ui::{talk, train};
+use crate::ui::talk;
 use crate::worker::protocol::{Envelope, Event, Program};
 
 /// The pages.
@@ -22,8 +23,6 @@ pub enum View {
 pub enum Action {
     /// A person did something on the Talk page.
     Talk(talk::Action),
-    /// A person did something on the Train page.
-    Train(train::Action),
 
     /// The page has opened, in this language.
     Opened(Language),
@@ -39,8 +38,12 @@ pub enum Action {
     Undo,
     /// Do what was undone again.
     Redo,
-    /// Files were dropped.
-    Offered(Vec<Offered>),
+    /// Something was given to the robot: a model or a session.
+    Given(Given),
+    /// The workbench has come, or has not; the text says why.
+    Loaded(Result<(), String>),
+    /// The workbench has news.
+    Bench(News),
     /// Something was copied, or could not be.
     Copied(bool),
 

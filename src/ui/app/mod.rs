@@ -4,7 +4,7 @@
 pub mod words;
 pub mod action;
 pub mod state;
-mod wish;
+mod bench;
 pub mod hear;
 pub mod update;
 #[cfg(target_arch = "wasm32")]

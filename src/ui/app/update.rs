@@ -1,28 +1,24 @@
 //! The one reducer: an action changes the state, and what is to be done comes back. Pure: no browser, no clock but
 //! what the caller says. Nothing that is loaded is lost but by being replaced with a good one.
 
-use super::action::{Action, View};
+use super::action::Action;
 use super::state::State;
 use super::words::Text;
-use super::{hear, wish};
+use super::{bench, hear};
 use crate::ui::page::document::Document;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::history::History;
 use crate::ui::page::words::Text as Common;
 use crate::ui::page::{engines, model, resource};
+use crate::ui::talk;
 use crate::ui::talk::command::examples;
-use crate::ui::{talk, train};
 use crate::worker::protocol::Program;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
-    let State { shared, view, talk, train } = state;
+    let State { shared, talk, .. } = state;
     match action {
         Action::Talk(action) => talk::update::update(talk, shared, action),
-        Action::Train(action) => {
-            let wish = train::update::update(train, shared, action);
-            wish::grant(state, wish);
-        }
 
         Action::Opened(language) => {
             shared.language = language;
@@ -32,12 +28,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             shared.want(Effect::Focus("command"));
         }
         Action::Prefers(preferences) => shared.preferences = preferences,
-        Action::Go(to) => {
-            *view = to;
-            if to == View::Train {
-                train::update::begin(train, shared);
-            }
-        }
+        Action::Go(to) => bench::go(state, to),
         Action::Deepen(depth) => {
             shared.depth = depth;
             talk::update::deepened(talk, shared);
@@ -48,7 +39,9 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         }
         Action::Undo => travel(state, History::undo, |text| text.undone),
         Action::Redo => travel(state, History::redo, |text| text.redone),
-        Action::Offered(files) => wish::open(state, files),
+        Action::Given(given) => bench::give(state, given),
+        Action::Loaded(came) => bench::loaded(state, came),
+        Action::Bench(news) => bench::told(state, news),
         Action::Copied(well) => {
             let text = Common::of(shared.language);
             shared.say(if well { text.copied } else { text.not_copied });
@@ -57,12 +50,12 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
         Action::Heard(program, envelope) => hear::heard(state, program, envelope),
         Action::EngineBroke(program, why) => {
             let news = engines::stopped(shared, program, why);
-            hear::told(state, program, Some(news));
+            hear::told(state, Some(news));
         }
         Action::RestartEngine(program) => hear::restart(state, program),
         Action::Rang(Timer::Watch(program, watch)) => {
             let news = engines::look(shared, program, watch);
-            hear::told(state, program, news);
+            hear::told(state, news);
         }
         Action::Rang(Timer::Examples(number)) => examples::rang(talk, shared, number),
         Action::Rang(Timer::Demo(number)) => talk::demo::run::rang(talk, shared, number),

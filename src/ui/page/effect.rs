@@ -1,7 +1,8 @@
 //! What the pages want done ([`Effect`]). Plain data: a test reads effects, with no browser.
 
+use super::engine::Errand;
 use super::language::Language;
-use crate::worker::protocol::{CorpusFile, Envelope, Program, Request};
+use crate::worker::protocol::{Envelope, Program, Request};
 
 /// Something for the view to do.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,8 +34,20 @@ pub enum Effect {
         /// Its text.
         text: String,
     },
-    /// Offer a file that a person gave to the person again.
-    GiveBack(CorpusFile),
+    /// Get the program of the workbench.
+    LoadWorkbench,
+}
+
+impl From<Errand> for Effect {
+    fn from(errand: Errand) -> Effect {
+        match errand {
+            Errand::Spawn(program) => Effect::SpawnEngine(program),
+            Errand::Post(program, envelope) => Effect::Post(program, envelope),
+            Errand::Watch(program, watch, ms) => {
+                Effect::StartTimer(Timer::Watch(program, watch), ms)
+            }
+        }
+    }
 }
 
 /// What a timer was for. The number tells a stale one from the one that counts.

@@ -2,7 +2,6 @@
 //! started when something is asked of it and does one thing at a time, so requests wait here; a watch notices when it
 //! no longer answers.
 
-use super::effect::{Effect, Timer};
 use crate::worker::protocol::{Envelope, Program, Request, VERSION};
 use std::collections::VecDeque;
 
@@ -11,6 +10,18 @@ pub const WATCH_MS: u32 = 2_000;
 
 /// So many looks without a word, and the engine counts as stopped.
 const PATIENCE: u32 = 4;
+
+/// What is to be done for an engine; who has engines has an effect for each.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Errand {
+    /// Start a new engine, ending the one there is.
+    Spawn(Program),
+    /// Send an engine a message.
+    Post(Program, Envelope<Request>),
+    /// Look after so many milliseconds whether an engine still answers; the number tells a stale look from the one
+    /// that counts.
+    Watch(Program, u32, u32),
+}
 
 /// Whether the engine lives.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,10 +79,10 @@ impl Engine {
     }
 
     /// Has it loaded, if it is not yet.
-    pub fn wake(&mut self, effects: &mut Vec<Effect>) {
+    pub fn wake<E: From<Errand>>(&mut self, effects: &mut Vec<E>) {
         if self.health == Health::Asleep {
             self.health = Health::Starting;
-            effects.push(Effect::SpawnEngine(self.program));
+            effects.push(Errand::Spawn(self.program).into());
         }
     }
 
@@ -82,7 +93,7 @@ impl Engine {
     }
 
     /// Sends a request as soon as the engine is free; an `urgent` one goes before all that wait.
-    pub fn send(&mut self, request: Request, urgent: bool, effects: &mut Vec<Effect>) {
+    pub fn send<E: From<Errand>>(&mut self, request: Request, urgent: bool, effects: &mut Vec<E>) {
         self.wake(effects);
         if urgent {
             self.waiting.push_front(request);
@@ -98,20 +109,20 @@ impl Engine {
     }
 
     /// Asks the engine to stop what it is doing.
-    pub fn cancel(&mut self, effects: &mut Vec<Effect>) {
+    pub fn cancel<E: From<Errand>>(&mut self, effects: &mut Vec<E>) {
         if let Some(pending) = &self.pending {
             effects.push(self.post(pending.id, Request::Cancel));
         }
     }
 
     /// The engine is up.
-    pub fn ready(&mut self, effects: &mut Vec<Effect>) {
+    pub fn ready<E: From<Errand>>(&mut self, effects: &mut Vec<E>) {
         self.health = Health::Ready;
         self.pump(effects);
     }
 
     /// The request at work has been answered: gives it back, and sends the next one.
-    pub fn finish(&mut self, id: u32, effects: &mut Vec<Effect>) -> Option<Request> {
+    pub fn finish<E: From<Errand>>(&mut self, id: u32, effects: &mut Vec<E>) -> Option<Request> {
         let done = self.pending.take_if(|p| p.id == id)?;
         self.pump(effects);
         Some(done.request)
@@ -133,7 +144,7 @@ impl Engine {
     }
 
     /// A look at a busy engine; whether it must be given up.
-    pub fn look(&mut self, watch: u32, effects: &mut Vec<Effect>) -> bool {
+    pub fn look<E: From<Errand>>(&mut self, watch: u32, effects: &mut Vec<E>) -> bool {
         if watch != self.watch || self.pending.is_none() {
             return false;
         }
@@ -142,11 +153,11 @@ impl Engine {
             return true;
         }
         effects.push(self.post(0, Request::Ping));
-        effects.push(Effect::StartTimer(Timer::Watch(self.program, self.watch), WATCH_MS));
+        effects.push(Errand::Watch(self.program, self.watch, WATCH_MS).into());
         false
     }
 
-    fn pump(&mut self, effects: &mut Vec<Effect>) {
+    fn pump<E: From<Errand>>(&mut self, effects: &mut Vec<E>) {
         if self.health != Health::Ready || self.pending.is_some() {
             return;
         }
@@ -156,11 +167,11 @@ impl Engine {
         self.silent = 0;
         self.watch = self.watch.wrapping_add(1);
         effects.push(self.post(id, request.clone()));
-        effects.push(Effect::StartTimer(Timer::Watch(self.program, self.watch), WATCH_MS));
+        effects.push(Errand::Watch(self.program, self.watch, WATCH_MS).into());
         self.pending = Some(Pending { id, request });
     }
 
-    fn post(&self, id: u32, body: Request) -> Effect {
-        Effect::Post(self.program, Envelope { groundling: VERSION, id, body })
+    fn post<E: From<Errand>>(&self, id: u32, body: Request) -> E {
+        Errand::Post(self.program, Envelope { groundling: VERSION, id, body }).into()
     }
 }

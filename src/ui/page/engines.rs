@@ -1,11 +1,25 @@
 //! What the engines say, as far as it is about themselves: whether they live, and which request a message answers.
-//! The rest is news, for the page that asked.
+//! The rest is news, for whoever asked.
 
-use super::engine::{Engine, Health};
-use super::model;
-use super::shared::Shared;
+use super::engine::{Engine, Errand, Health};
+use super::language::Language;
 use super::words::Text;
 use crate::worker::protocol::{Envelope, Event, Program, Request, VERSION};
+
+/// Who has engines: the page, and the workbench its own.
+pub trait Owner {
+    /// What it wants done, engines among it.
+    type Effect: From<Errand>;
+
+    /// An engine, with where it leaves what it wants done.
+    fn engine(&mut self, program: Program) -> (&mut Engine, &mut Vec<Self::Effect>);
+
+    /// The language of what is said.
+    fn language(&self) -> Language;
+
+    /// A screen reader is to tell these words.
+    fn say(&mut self, words: &str);
+}
 
 /// News from an engine.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,12 +33,12 @@ pub enum News {
 }
 
 /// An engine said something.
-pub fn heard(shared: &mut Shared, program: Program, envelope: Envelope<Event>) -> Option<News> {
+pub fn heard(owner: &mut impl Owner, program: Program, envelope: Envelope<Event>) -> Option<News> {
     if envelope.groundling != VERSION {
-        let why = Text::of(shared.language).other_version;
-        return Some(stopped(shared, program, why.to_owned()));
+        let why = Text::of(owner.language()).other_version;
+        return Some(stopped(owner, program, why.to_owned()));
     }
-    let (engine, wanted) = shared.engine(program);
+    let (engine, wanted) = owner.engine(program);
     if matches!(engine.health, Health::Stopped(_)) {
         return None;
     }
@@ -36,7 +50,7 @@ pub fn heard(shared: &mut Shared, program: Program, envelope: Envelope<Event>) -
             None
         }
         Event::Pong => None,
-        Event::Crashed { message } => Some(stopped(shared, program, message)),
+        Event::Crashed { message } => Some(stopped(owner, program, message)),
         progress @ (Event::Reading { .. }
         | Event::Progress(_)
         | Event::Planning(_)
@@ -50,28 +64,26 @@ pub fn heard(shared: &mut Shared, program: Program, envelope: Envelope<Event>) -
 }
 
 /// Time to see whether an engine still answers.
-pub fn look(shared: &mut Shared, program: Program, watch: u32) -> Option<News> {
-    let (engine, wanted) = shared.engine(program);
+pub fn look(owner: &mut impl Owner, program: Program, watch: u32) -> Option<News> {
+    let (engine, wanted) = owner.engine(program);
     if !engine.look(watch, wanted) {
         return None;
     }
-    let why = Text::of(shared.language).engine_silent;
-    Some(stopped(shared, program, why.to_owned()))
+    let why = Text::of(owner.language()).engine_silent;
+    Some(stopped(owner, program, why.to_owned()))
 }
 
 /// An engine has died, or no longer answers.
-pub fn stopped(shared: &mut Shared, program: Program, why: String) -> News {
-    shared.engine(program).0.stop(why);
-    shared.say(Text::of(shared.language).engine_stopped_said);
+pub fn stopped(owner: &mut impl Owner, program: Program, why: String) -> News {
+    owner.engine(program).0.stop(why);
+    owner.say(Text::of(owner.language()).engine_stopped_said);
     News::Stopped
 }
 
-/// A new engine takes an old one's place. It knows nothing: the one that answers is given its model.
-pub fn restart(shared: &mut Shared, program: Program) {
-    *shared.engine(program).0 = Engine::new(program);
-    shared.wake(program);
-    if program == Program::Talker {
-        model::restore(shared);
-    }
-    shared.say(Text::of(shared.language).engine_starting);
+/// A new engine takes an old one's place. It knows nothing.
+pub fn restart(owner: &mut impl Owner, program: Program) {
+    let (engine, wanted) = owner.engine(program);
+    *engine = Engine::new(program);
+    engine.wake(wanted);
+    owner.say(Text::of(owner.language()).engine_starting);
 }

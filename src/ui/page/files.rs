@@ -36,6 +36,15 @@ pub struct Offered {
     pub bytes: Result<Vec<u8>, Fault>,
 }
 
+/// A text that a person gives to the robot.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Given {
+    /// A model.
+    Model(String),
+    /// All of a talk.
+    Session(String),
+}
+
 /// Refuses a file by its size in bytes.
 ///
 /// # Errors
@@ -58,11 +67,24 @@ pub fn kind(name: &str, bytes: &[u8]) -> Kind {
     if named || start.starts_with(b"groundling") { Kind::Model } else { Kind::Corpus }
 }
 
+/// What a file gives to the robot; nothing when it is neither a model nor a session.
+///
+/// # Errors
+/// When it is not UTF-8.
+pub fn given(name: &str, bytes: Vec<u8>) -> Result<Option<Given>, Fault> {
+    let given = match kind(name, &bytes) {
+        Kind::Corpus => return Ok(None),
+        Kind::Model => Given::Model,
+        Kind::Session => Given::Session,
+    };
+    text(bytes).map(given).map(Some)
+}
+
 /// The text of a file that is read whole, without its byte-order mark.
 ///
 /// # Errors
 /// When it is not UTF-8.
-pub fn text(mut bytes: Vec<u8>) -> Result<String, Fault> {
+fn text(mut bytes: Vec<u8>) -> Result<String, Fault> {
     if bytes.starts_with(b"\xEF\xBB\xBF") {
         bytes.drain(..3);
     }

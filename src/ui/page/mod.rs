@@ -9,13 +9,14 @@ pub mod world;
 pub mod document;
 pub mod history;
 pub mod files;
+pub mod news;
 pub mod effect;
 pub mod engine;
 pub mod words;
+pub mod engines;
 pub mod coming;
 pub mod shared;
 pub mod resource;
 pub mod model;
-pub mod engines;
 #[cfg(target_arch = "wasm32")]
 pub mod view;

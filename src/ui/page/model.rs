@@ -31,10 +31,10 @@ pub fn fetched(shared: &mut Shared, text: Result<String, String>) {
     }
 }
 
-/// Opens a model file.
-pub fn open_file(shared: &mut Shared, text: String) {
+/// Opens a model, which comes from there.
+pub fn open(shared: &mut Shared, text: String, origin: Origin) {
     shared.model_notice = None;
-    shared.opening = Origin::File;
+    shared.opening = origin;
     shared.send(Request::OpenModel { text }, true);
 }
 
@@ -43,18 +43,6 @@ pub fn go_on_with(shared: &mut Shared, model: Model) {
     let text = model.report.model.clone();
     shared.document.model = Some(model);
     shared.send(Request::OpenModel { text }, true);
-}
-
-/// A model was trained here on the corpus of this name. Whether the lessons there are must be taught to it first.
-pub fn trained(shared: &mut Shared, report: TrainReport, corpus: String) -> bool {
-    shared.record();
-    let model = Model { report: Rc::new(report), origin: Origin::Trained(corpus) };
-    shared.document.base = Some(model.clone());
-    let teach = !shared.document.lessons.is_empty();
-    if !teach {
-        go_on_with(shared, model);
-    }
-    teach
 }
 
 /// The engine that answers has opened a model. Whether the lessons there are must be taught to it first.

@@ -5,6 +5,7 @@ use super::coming::Resource;
 use super::document::{Document, Origin};
 use super::effect::Effect;
 use super::engine::{Engine, Health};
+use super::engines::Owner;
 use super::history::History;
 use super::language::Language;
 use super::preferences::{Depth, Preferences};
@@ -15,7 +16,7 @@ use crate::worker::protocol::{Program, Request};
 pub struct Shared {
     /// The engine that answers.
     pub talker: Engine,
-    /// The engine that learns; started when it is wanted.
+    /// The engine that lessons are learned in; started when it is wanted.
     pub learner: Engine,
     /// What undo and redo go through.
     pub document: Document,
@@ -109,14 +110,25 @@ impl Shared {
         let (engine, wanted) = self.engine(program);
         engine.cancel(wanted);
     }
+}
 
-    /// An engine, with where it leaves what it wants done.
-    pub(super) const fn engine(&mut self, program: Program) -> (&mut Engine, &mut Vec<Effect>) {
+impl Owner for Shared {
+    type Effect = Effect;
+
+    fn engine(&mut self, program: Program) -> (&mut Engine, &mut Vec<Effect>) {
         let engine = match program {
             Program::Talker => &mut self.talker,
             Program::Learner => &mut self.learner,
         };
         (engine, &mut self.wanted)
+    }
+
+    fn language(&self) -> Language {
+        self.language
+    }
+
+    fn say(&mut self, words: &str) {
+        words.clone_into(&mut self.announcement);
     }
 }
 

@@ -1,38 +1,37 @@
-//! What a person can do on the Train page, and what the page wants that is not its own to do. Plain data.
+//! What can happen to the workbench: a person did it in one of its parts, the page told it, an engine said it, or a
+//! timer ran out.
 
-use crate::ui::page::files::Offered;
-use crate::worker::protocol::TrainReport;
+use super::{data, run};
+use crate::ui::page::document::Model;
+use crate::ui::page::language::Language;
+use crate::ui::page::preferences::Preferences;
+use crate::worker::protocol::{Envelope, Event, Program};
 
-/// Something that a person did.
+/// Something that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Action {
-    /// Files were chosen: corpora, or something else.
-    Offered(Vec<Offered>),
-    /// Go back to the page's own six sentences.
-    OpenDemo,
-    /// Read the files again, with the rows that were rejected.
-    UseRejected,
-    /// Stop reading files.
-    StopReading,
-    /// Open or close a row of the corpus.
-    ToggleRow(usize),
-    /// Show more rows of the corpus.
-    MoreRows,
-    /// Save the corpus as a file.
-    SaveCorpus,
-    /// Train on the corpus that is open.
-    Train,
-    /// Stop training.
-    CancelTraining,
-    /// Save the model as a file.
-    SaveModel,
-}
+    /// Something was done with the corpus.
+    Data(data::Action),
+    /// Something was done about training.
+    Run(run::Action),
 
-/// What the page wants done elsewhere.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Wish {
-    /// Open files, whatever they are.
-    Open(Vec<Offered>),
-    /// Use the model that was trained on the corpus of this name.
-    Use(TrainReport, String),
+    /// It is to be seen, or no more.
+    Shown(bool),
+    /// The page is in another language.
+    Speak(Language),
+    /// What the person prefers is known, or has changed.
+    Prefers(Preferences),
+    /// The robot uses this model.
+    Uses(Model),
+    /// Why the robot has no model, or not the one that was wanted.
+    Notice(Option<String>),
+
+    /// An engine sent a message.
+    Heard(Program, Envelope<Event>),
+    /// An engine could not be loaded or died; the text says how.
+    EngineBroke(Program, String),
+    /// A person asked for a new engine.
+    RestartEngine(Program),
+    /// It is time to see whether an engine still answers.
+    Look(Program, u32),
 }

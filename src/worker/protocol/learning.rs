@@ -10,16 +10,6 @@ use serde::{Deserialize, Serialize};
 /// The most examples that a model is taught at once.
 pub const MOST_TAUGHT: usize = 100;
 
-/// What is known before training.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum SeedLexicon {
-    /// A few colours and function words: nouns and verbs are learned, as in the paper's Section VII.
-    Demonstration,
-    /// The English of the whole domain.
-    Domain,
-}
-
 /// A new example: what is said, and what is then done.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(expecting = "a lesson: {command, pairs}")]
@@ -90,16 +80,21 @@ pub struct CorpusFile {
 }
 
 /// Bytes cross as one piece, and not one by one.
-mod bytes {
+pub(super) mod bytes {
     use serde::de::{Deserializer, Error, Visitor};
     use serde::ser::Serializer;
     use std::fmt;
 
-    pub(super) fn serialize<S: Serializer>(bytes: &[u8], serializer: S) -> Result<S::Ok, S::Error> {
+    pub(in crate::worker::protocol) fn serialize<S: Serializer>(
+        bytes: &[u8],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
         serializer.serialize_bytes(bytes)
     }
 
-    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<u8>, D::Error> {
+    pub(in crate::worker::protocol) fn deserialize<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<Vec<u8>, D::Error> {
         struct Bytes;
         impl Visitor<'_> for Bytes {
             type Value = Vec<u8>;

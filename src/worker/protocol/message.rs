@@ -1,16 +1,23 @@
 //! The messages themselves: requests of the page, events of the engine, and the envelope around both.
 
 use super::learning::{
-    CorpusFile, CorpusReport, Experiment, ExperimentProgress, Lesson, PairText, Progress,
-    SeedLexicon, TeachReport, TrainReport, TrainSettings,
+    CorpusFile, CorpusReport, Experiment, ExperimentProgress, Judgement, Lesson, PairText,
+    Progress, TeachReport, TrainReport, TrainSettings,
 };
 use super::planning::{Answer, PlanProgress, PlanText, Runs, ValueMap, WorldRules};
 use super::reading::Study;
+use super::sheet::{Checkpoint, Form, MappedFile, RowReading, SheetReport, Split};
+use crate::corpus::Preview;
 use crate::domain::{Blueprint, State};
+use crate::learn::audit::Errors;
+use crate::learn::inspect::{Difference, EntryView, EntryWindow};
+use crate::learn::look::Look;
+use crate::learn::sheet::{Care, Facets, Rules, Verdict, View, Window};
+use crate::learn::{SeedLexicon, Settings};
 use serde::{Deserialize, Serialize};
 
 /// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 7;
+pub const VERSION: u32 = 8;
 
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -60,7 +67,8 @@ pub enum Wanted {
     Unknown,
 }
 
-/// What the page asks of an engine. A request other than `Cancel` and `Ping` replaces the one at work.
+/// What the page asks of an engine. A request replaces the one at work, but for `Cancel`, `Ping`, those that say how fast
+/// it goes, and those that [`Request::is_aside`] tells.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Request {
@@ -182,6 +190,130 @@ pub enum Request {
         /// What differs from the paper's settings in every run.
         settings: TrainSettings,
     },
+    /// Looks at the beginning of a file, for a person who maps its columns → [`Event::Previewed`].
+    Preview {
+        /// The file.
+        file: CorpusFile,
+    },
+    /// Reads corpus files, rejected rows among them, and keeps them as one sheet if each has a good row →
+    /// [`Event::Reading`] now and then, then [`Event::Sheet`].
+    OpenSheet {
+        /// The files.
+        files: Vec<MappedFile>,
+        /// Whether rejected rows are learned from and judged on all the same.
+        with_rejected: bool,
+    },
+    /// Some lines of a view of the sheet → [`Event::Window`].
+    Window {
+        /// Which rows, in which order.
+        view: View,
+        /// The first line's place among them.
+        offset: u32,
+        /// How many lines, at most [`MOST_LINES`](crate::learn::sheet::view::MOST_LINES).
+        count: u32,
+    },
+    /// What there is to filter by → [`Event::Facets`].
+    Facets,
+    /// What the model that was audited makes of a row → [`Event::RowReading`].
+    ReadRow {
+        /// The row.
+        row: u32,
+    },
+    /// How the sheet stands → [`Event::Care`].
+    Care,
+    /// Decides something of rows → [`Event::Care`].
+    Decide {
+        /// The rows.
+        rows: Vec<u32>,
+        /// What.
+        verdict: Verdict,
+    },
+    /// Decides something of all rows of a view → [`Event::Care`].
+    DecideAll {
+        /// Which rows.
+        view: View,
+        /// What.
+        verdict: Verdict,
+    },
+    /// Parts the sheet → [`Event::Care`].
+    Divide {
+        /// How.
+        split: Split,
+    },
+    /// Undoes the last change of the sheet → [`Event::Care`].
+    Undo,
+    /// Does again what was undone last → [`Event::Care`].
+    Redo,
+    /// Marks rows by rules → [`Event::Care`].
+    Mark {
+        /// How strict.
+        rules: Rules,
+    },
+    /// Asks a model the command of every row, and marks rows by rules → [`Event::Auditing`] now and then, then
+    /// [`Event::Care`]. The model is kept for [`Request::ReadRow`], [`Request::Errors`] and those about its lexicon.
+    Audit {
+        /// The model file's text; nothing for the one that is kept, or was trained last.
+        model: Option<String>,
+        /// How strict.
+        rules: Rules,
+    },
+    /// Where the model that was audited errs, as far as it is → [`Event::Errors`].
+    Errors,
+    /// The good rows of a file as a file, with what was decided of them → [`Event::Saved`].
+    SaveSheet {
+        /// The number of the file.
+        file: u32,
+        /// In which form; nothing for its own.
+        form: Option<Form>,
+    },
+    /// The bad rows of a file that was read last, as they stand there → [`Event::Saved`].
+    SaveBadRows {
+        /// The number of the file.
+        file: u32,
+    },
+    /// Trains on the half of the sheet that is learned from → [`Event::Progress`] after every example,
+    /// [`Event::HeldOut`] after every epoch if there is something held out, then [`Event::Trained`].
+    Learn {
+        /// The settings.
+        settings: Box<Settings>,
+        /// A checkpoint of a run with the same settings and rows to go on from.
+        resume: Option<String>,
+    },
+    /// What was learned last → [`Event::Look`].
+    Look,
+    /// A checkpoint of the run at work, or of one that was stopped → [`Event::Checkpoint`].
+    Checkpoint,
+    /// The model as the run at work, or one that was stopped, has it so far → [`Event::Trained`].
+    ModelSoFar,
+    /// Some entries of the model that was audited, or else trained last → [`Event::Entries`].
+    Entries {
+        /// Which, in which order.
+        view: EntryView,
+        /// The first line's place among them.
+        offset: u32,
+        /// How many lines.
+        count: u32,
+    },
+    /// The same model without some entries → [`Event::Trained`]; an audit of it shows what that changes.
+    Without {
+        /// Their places in its lexicon.
+        places: Vec<u32>,
+    },
+    /// What tells two models apart → [`Event::Difference`].
+    Compare {
+        /// A model file's text.
+        first: String,
+        /// Another's.
+        second: String,
+    },
+    /// What is at work rests as soon as it can → [`Event::Heard`], then [`Event::Paused`] of what rests.
+    Pause,
+    /// What rests goes on → [`Event::Heard`].
+    Resume,
+    /// What rests goes on by one example → as for `Pause`.
+    StepExample,
+    /// What rests goes on to the end of an epoch → as for `Pause`.
+    StepEpoch,
     /// Stops what is at work → [`Event::Cancelled`] for that request's id.
     Cancel,
     /// Asks whether the engine still answers → [`Event::Pong`]; replaces nothing.
@@ -196,7 +328,30 @@ impl Request {
             | Request::ShowRow { .. }
             | Request::Train { .. }
             | Request::Teach { .. }
-            | Request::Experiment { .. } => Some(Program::Learner),
+            | Request::Experiment { .. }
+            | Request::Preview { .. }
+            | Request::OpenSheet { .. }
+            | Request::Window { .. }
+            | Request::Facets
+            | Request::ReadRow { .. }
+            | Request::Care
+            | Request::Decide { .. }
+            | Request::DecideAll { .. }
+            | Request::Divide { .. }
+            | Request::Undo
+            | Request::Redo
+            | Request::Mark { .. }
+            | Request::Audit { .. }
+            | Request::Errors
+            | Request::SaveSheet { .. }
+            | Request::SaveBadRows { .. }
+            | Request::Learn { .. }
+            | Request::Look
+            | Request::Checkpoint
+            | Request::ModelSoFar
+            | Request::Entries { .. }
+            | Request::Without { .. }
+            | Request::Compare { .. } => Some(Program::Learner),
             Request::OpenModel { .. }
             | Request::Words { .. }
             | Request::Read { .. }
@@ -209,8 +364,41 @@ impl Request {
             | Request::Draw { .. }
             | Request::ReadWorld { .. }
             | Request::WriteWorld { .. } => Some(Program::Talker),
-            Request::Cancel | Request::Ping => None,
+            Request::Pause
+            | Request::Resume
+            | Request::StepExample
+            | Request::StepEpoch
+            | Request::Cancel
+            | Request::Ping => None,
         }
+    }
+
+    /// Whether it is answered at once and replaces nothing.
+    pub const fn is_aside(&self) -> bool {
+        matches!(
+            self,
+            Request::ShowRow { .. }
+                | Request::Preview { .. }
+                | Request::Window { .. }
+                | Request::Facets
+                | Request::ReadRow { .. }
+                | Request::Care
+                | Request::Decide { .. }
+                | Request::DecideAll { .. }
+                | Request::Divide { .. }
+                | Request::Undo
+                | Request::Redo
+                | Request::Mark { .. }
+                | Request::Errors
+                | Request::SaveSheet { .. }
+                | Request::SaveBadRows { .. }
+                | Request::Look
+                | Request::Checkpoint
+                | Request::ModelSoFar
+                | Request::Entries { .. }
+                | Request::Without { .. }
+                | Request::Compare { .. }
+        )
     }
 }
 
@@ -288,6 +476,54 @@ pub enum Event {
         /// An [`ExperimentReport`](super::ExperimentReport) as JSON: a page that only keeps it need not take it apart.
         report: String,
     },
+    /// The beginning of a file.
+    Previewed(Box<Preview>),
+    /// Files were read.
+    Sheet(Box<SheetReport>),
+    /// Some lines of a view.
+    Window(Box<Window>),
+    /// What there is to filter by.
+    Facets(Box<Facets>),
+    /// What a model makes of a row.
+    RowReading(Box<RowReading>),
+    /// How the sheet stands.
+    Care(Care),
+    /// Rows are judged.
+    Auditing {
+        /// Rows that are.
+        done: u32,
+        /// Rows in all.
+        of: u32,
+    },
+    /// Where a model errs.
+    Errors(Box<Errors>),
+    /// A file to save.
+    Saved {
+        /// Its name.
+        name: String,
+        /// Its bytes.
+        #[serde(with = "super::learning::bytes")]
+        bytes: Vec<u8>,
+    },
+    /// The model of a run was judged on what is held out.
+    HeldOut {
+        /// The epoch that has ended; one past the last for the model that the run ends with.
+        epoch: u32,
+        /// How it was judged.
+        judgement: Box<Judgement>,
+    },
+    /// What was learned last, if anything was.
+    Look(Option<Box<Look>>),
+    /// Some entries of a lexicon.
+    Entries(Box<EntryWindow>),
+    /// What tells two models apart.
+    Difference(Box<Difference>),
+    /// A run that can go on from here.
+    Checkpoint(Checkpoint),
+    /// A request that says how fast to go was heard.
+    Heard,
+    /// What this request began rests.
+    Paused,
     /// The request failed; what was loaded before is as it was.
     Refused {
         /// What is wrong, where, and what to do: for a person.

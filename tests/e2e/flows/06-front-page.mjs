@@ -191,10 +191,9 @@ flow('without a GPU what moves is drawn plainly, which costs little in all proce
   await t.equal(() => demo.by('stage').getAttribute('data-backend'), 'webgl2', 'the first picture is drawn by');
   const browser = await demo.page.context().browser().newBrowserCDPSession();
   const cpu = async () => (await browser.send('SystemInfo.getProcessInfo')).processInfo.reduce((all, { cpuTime }) => all + cpuTime, 0) * 1000;
-  await demo.by('command').fill('put the yellow block in the biggest room');
-  await t.equal(() => demo.by('stage').getAttribute('data-backend'), 'svg', 'what changes is drawn by');
-  await demo.press('ask');
+  await demo.ask('put the yellow block in the biggest room');
   await demo.by('plan').waitFor();
+  await t.equal(() => demo.by('stage').getAttribute('data-backend'), 'svg', 'what changes is drawn by');
   await demo.seek(0);
   await demo.by('plan-speed').selectOption('1×');
   const before = await cpu();

@@ -3,9 +3,13 @@
 // and not counted; CPU time is told beside time by the clock, since other programs may be at work.
 
 import { flow } from '../flow.mjs';
+import { detached } from '../heap.mjs';
 import { openPage } from '../page.mjs';
 
-/** Runs `body` under Chromium's trace; returns the tasks of the page's main thread, and of these what drew a frame. */
+/**
+ * Runs `body` under Chromium's trace; returns the tasks of the page's main thread, of these what drew a frame, and the
+ * milliseconds of CPU that its main thread and its workers spent from each key press to the next.
+ */
 async function traced(page, body) {
   const browser = page.context().browser();
   const categories = ['-*', 'devtools.timeline', 'disabled-by-default-devtools.timeline', 'toplevel', '__metadata'];
@@ -20,16 +24,27 @@ async function traced(page, body) {
   const threads = events.filter(isMain).map(({ pid, tid }) => {
     const own = events.filter((event) => event.pid === pid && event.tid === tid);
     const callbacks = own.filter(({ name }) => name === 'FireAnimationFrame').map(({ ts }) => ts);
-    return own.filter(({ name, dur }) => name === 'RunTask' && dur).map(({ ts, dur, tdur }) => ({
+    const tasks = own.filter(isTask).map(({ ts, dur, tdur }) => ({
       clock: dur / 1000,
       cpu: (tdur ?? dur) / 1000,
       frame: callbacks.some((callback) => ts <= callback && callback < ts + dur),
     }));
+    const isKey = ({ name, args }) => name === 'EventDispatch' && args.data?.type === 'keydown';
+    return { pid, tid, tasks, keys: own.filter(isKey).map(({ ts }) => ts) };
   });
   // There may be other renderers; ours is at work.
-  const tasks = threads.sort((one, other) => other.length - one.length)[0];
-  return { tasks, frames: tasks.filter(({ frame }) => frame) };
+  const [{ pid, tid, tasks, keys }] = threads.sort((one, other) => other.tasks.length - one.tasks.length);
+  const isWorker = (event) => event.name === 'thread_name' && event.pid === pid && /Worker/.test(event.args.name);
+  const ours = new Set([tid, ...events.filter(isWorker).map((event) => event.tid)]);
+  const all = events.filter((event) => event.pid === pid && ours.has(event.tid) && isTask(event));
+  const pressed = keys.map((key, place) => {
+    const next = keys[place + 1] ?? Infinity;
+    return cpu(all.filter(({ ts }) => key <= ts && ts < next).map(({ dur, tdur }) => ({ cpu: (tdur ?? dur) / 1000 })));
+  });
+  return { tasks, frames: tasks.filter(({ frame }) => frame), pressed };
 }
+
+const isTask = ({ name, dur }) => name === 'RunTask' && dur;
 
 const cpu = (tasks) => tasks.reduce((all, task) => all + task.cpu, 0);
 
@@ -80,6 +95,9 @@ flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, 
   await t.check(readings.length > 5, `${readings.length} readings while typing`);
   const [median, most] = [readings[Math.floor(readings.length / 2)], readings.at(-1)];
   t.note(`key press to reading: ${median.toFixed(0)} ms (median), ${most.toFixed(0)} ms (longest of ${readings.length})`);
+  const spent = typing.pressed.toSorted((a, b) => a - b);
+  await t.check(spent.length >= readings.length, `${spent.length} keys in the trace`);
+  t.note(`a key press: ${spent[Math.floor(spent.length / 2)].toFixed(1)} ms of CPU (median of ${spent.length}; main thread and workers)`);
   t.note(`typing: ${told(typing)}`);
   const planning = await traced(page, async () => {
     await page.keyboard.press('Enter');
@@ -100,4 +118,22 @@ flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, 
   t.note(`playing with values and arrows: a frame ${(cpu(frames) / frames.length).toFixed(1)} ms of CPU, at most `
     + `${Math.max(...frames.map((frame) => frame.cpu)).toFixed(1)} ms (${frames.length} frames)`);
   t.note(`playing: ${cpu(playing.tasks).toFixed(0)} ms of CPU in all; ${told(playing)}`);
+});
+
+flow('a command leaves no element behind', async (t) => {
+  const demo = await openPage(t);
+  const around = async () => {
+    for (const room of ['blue', 'red', 'green']) {
+      await demo.ask(`go to the ${room} room`);
+      await demo.finish();
+    }
+  };
+  // The framework keeps one of each tag that was ever shown.
+  await around();
+  const before = await detached(demo.page);
+  await around();
+  await around();
+  await t.check(async () => (await detached(demo.page)) <= before, 'detached elements');
+  await demo.page.evaluate(() => { globalThis.kept = document.createElement('output'); });
+  await t.equal(() => detached(demo.page), before + 1, 'and one that is kept is counted');
 });

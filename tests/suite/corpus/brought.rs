@@ -2,7 +2,7 @@
 //! or refused in words, in linear time and bounded steps.
 
 use super::{PRE, csv, post};
-use groundling::corpus::{Corpus, Flaw, Options, Reading, Rows, example::MAX_COLUMNS, read};
+use groundling::corpus::{Corpus, Flaw, Options, Reading, Rows, limits::MAX_COLUMNS, read};
 use std::io::Cursor;
 use std::time::{Duration, Instant};
 
@@ -97,7 +97,8 @@ fn what_keeps_rejected_rows_is_said_when_there_are_no_others() {
     let rows = "Input.pre_1,Input.post_1,Answer.command,Reject\n@PRE,@POST,go east,no\n@PRE,@POST,go east,no\n";
     let (corpus, flaws) = read(file(rows).as_slice(), Options::default());
     assert_eq!(corpus.why_empty(&flaws).unwrap(), "all its 2 rows are rejected");
-    let (corpus, flaws) = read(file(rows).as_slice(), Options { with_rejected: true });
+    let (corpus, flaws) =
+        read(file(rows).as_slice(), Options { with_rejected: true, ..Options::default() });
     assert_eq!((corpus.why_empty(&flaws), corpus.examples.len()), (None, 2));
 }
 

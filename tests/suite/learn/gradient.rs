@@ -27,7 +27,8 @@ fn update(features: &mut Features, judged: &[Judged], margin: f64, moment: f64) 
     let readings: Vec<_> =
         judged.iter().map(|reading| (form, Rc::new(reading.features.clone()))).collect();
     let valid: Vec<bool> = judged.iter().map(|reading| reading.valid).collect();
-    gradient::update(features, &readings, &valid, margin, moment)
+    let at = (margin, moment);
+    gradient::update(features, &readings, &valid, at, Feature::is_learned).is_some()
 }
 
 fn weights(features: &Features) -> Vec<f64> {

@@ -1,7 +1,7 @@
 //! Runs that stop and go on from a checkpoint end in the same bytes; a checkpoint of another run is refused.
 
 use super::{six, train, trainer};
-use groundling::ccg::Model;
+use groundling::ccg::{Kinds, Model};
 use groundling::learn::{Config, Trainer};
 
 const CONFIG: Config = Config {
@@ -15,6 +15,7 @@ const CONFIG: Config = Config {
     lexical_budget: 60_000,
     generations: 2,
     idioms: true,
+    without: Kinds::NONE,
     planning: None,
 };
 

@@ -4,7 +4,7 @@ use super::{Page, model, world};
 use groundling::domain::Direction;
 use groundling::ui::app::Action;
 use groundling::ui::page::effect::Effect;
-use groundling::ui::page::files::Offered;
+use groundling::ui::page::files::Given;
 use groundling::ui::talk;
 use groundling::ui::talk::room::point::Key;
 use groundling::ui::talk::room::state::Mode;
@@ -150,8 +150,7 @@ fn lessons_are_saved_as_a_corpus_that_the_project_reads() {
 fn a_new_model_is_taught_the_same_lessons() {
     let mut page = learned();
     page.answer(Event::Answer(Box::new(super::failed("scoot over", "no_parse"))));
-    let offered = Offered { name: "other.model".to_owned(), bytes: Ok(b"another".to_vec()) };
-    page.act(Action::Offered(vec![offered]));
+    page.act(Action::Given(Given::Model("another".to_owned())));
     assert_eq!(page.asked(), &Request::OpenModel { text: "another".to_owned() });
     page.answer(Event::Opened(model("another")));
     let Request::Teach { model: base, examples } = page.asked() else { panic!() };

@@ -1,23 +1,19 @@
-//! Carries effects out: the workers, timers, downloads, links. The workers are web-sys's own and not gloo-worker's,
-//! since the page must be able to end an engine that no longer answers and start another.
+//! Carries effects out: the workers, timers, downloads, links, and the workbench.
 
 use super::address;
+use super::bench::Link;
 use crate::ui::app::action::Action;
+use crate::ui::app::state::State;
 use crate::ui::page::effect::Effect;
-use crate::ui::page::view::host;
-use crate::worker::protocol::{Program, decode, encode};
+use crate::ui::page::view::host::{self, beside};
+use crate::ui::page::view::save::save;
+use crate::ui::page::view::worker::Engine;
+use crate::worker::protocol::Program;
 use gloo_timers::callback::Timeout;
-use js_sys::Uint8Array;
-use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{Blob, BlobPropertyBag, HtmlAnchorElement, MessageEvent, Response, Url, Worker};
-use web_sys::{WorkerOptions, WorkerType};
+use web_sys::{File, Response};
 use yew::Callback;
-
-/// The engine's script, beside the page: its address is made from the document's base, so that it is found
-/// under any path.
-const SCRIPT: &str = "engine.js";
 
 /// The model that comes with the page, beside it.
 const MODEL: &str = "cleanup.model";
@@ -30,27 +26,24 @@ pub(super) struct Effects {
     act: Callback<Action>,
     talker: Option<Engine>,
     learner: Option<Engine>,
-}
-
-/// A live worker with its listeners.
-struct Engine {
-    worker: Worker,
-    _message: Closure<dyn FnMut(MessageEvent)>,
-    _error: Closure<dyn FnMut(web_sys::Event)>,
-}
-
-impl Drop for Engine {
-    fn drop(&mut self) {
-        self.worker.set_onmessage(None);
-        self.worker.set_onerror(None);
-        self.worker.terminate();
-    }
+    bench: Link,
 }
 
 impl Effects {
     /// Results go to `act`.
     pub(super) fn new(act: Callback<Action>) -> Effects {
-        Effects { act, talker: None, learner: None }
+        let bench = Link::new(act.clone());
+        Effects { act, talker: None, learner: None, bench }
+    }
+
+    /// Brings files to the workbench.
+    pub(super) fn bring(&mut self, files: Vec<File>) {
+        self.bench.bring(files);
+    }
+
+    /// Tells the workbench what has changed on the page.
+    pub(super) fn keep_up(&mut self, state: &State) {
+        self.bench.keep_up(state);
     }
 
     /// Carries effects out, in order.
@@ -70,12 +63,19 @@ impl Effects {
         match effect {
             Effect::SpawnEngine(program) => {
                 *self.engine(program) = None;
-                *self.engine(program) = Some(spawn(program, &self.act)?);
+                let told = self.act.reform(move |said| match said {
+                    Ok(envelope) => Action::Heard(program, envelope),
+                    Err(why) => Action::EngineBroke(program, why),
+                });
+                let engine = Engine::spawn(program, &told)?;
+                if program == Program::Talker {
+                    engine.give(&own_program()?)?;
+                }
+                *self.engine(program) = Some(engine);
             }
             Effect::Post(program, envelope) => {
-                let bytes = encode(&envelope).map_err(|e| JsValue::from_str(&e.to_string()))?;
                 if let Some(engine) = self.engine(program) {
-                    engine.worker.post_message(&Uint8Array::from(&bytes[..]))?;
+                    engine.post(&envelope)?;
                 }
             }
             Effect::StartTimer(timer, ms) => {
@@ -104,8 +104,8 @@ impl Effects {
             }
             // The element may be in what is about to be drawn.
             Effect::Focus(id) => spawn_local(async move { host::focus(id) }),
-            Effect::Save { name, text } => save(&name, JsValue::from_str(&text))?,
-            Effect::GiveBack(file) => save(&file.name, Uint8Array::from(&file.bytes[..]).into())?,
+            Effect::Save { name, text } => save(&name, &text)?,
+            Effect::LoadWorkbench => self.bench.load(),
             Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
         }
         Ok(())
@@ -117,13 +117,6 @@ impl Effects {
             Program::Learner => &mut self.learner,
         }
     }
-}
-
-/// The address of a file beside the page.
-fn beside(name: &str) -> Result<Url, JsValue> {
-    let window = web_sys::window().ok_or("no window")?;
-    let base = window.document().ok_or("no document")?.base_uri()?.ok_or("no base address")?;
-    Url::new_with_base(name, &base)
 }
 
 /// The text of a file beside the page.
@@ -138,50 +131,6 @@ async fn fetch(name: &str) -> Result<String, JsValue> {
     text.as_string().ok_or_else(|| JsValue::from_str("no text"))
 }
 
-fn spawn(program: Program, act: &Callback<Action>) -> Result<Engine, JsValue> {
-    let url = beside(SCRIPT)?;
-    url.set_search(program.name());
-    let options = WorkerOptions::new();
-    options.set_type(WorkerType::Module);
-    // A worker that is loaded from an address has the policy that its host sends, which is none where a host sends no
-    // headers. One of a text that the page makes has the page's own.
-    let program_text = format!("import {:?}", url.href());
-    let worker =
-        Worker::new_with_options(&object_url(program_text.into(), "text/javascript")?, &options)?;
-    if program == Program::Talker {
-        worker.post_message(&own_program()?)?;
-    }
-
-    let heard = act.clone();
-    let message = Closure::new(move |event: MessageEvent| {
-        let data = event.data();
-        let bytes = data.dyn_ref::<Uint8Array>().map(Uint8Array::to_vec);
-        // The script around the engine has nothing but words, for when there is no engine.
-        let why =
-            || data.as_string().unwrap_or_else(|| "It sent a message that is none.".to_owned());
-        heard.emit(match bytes.map(|bytes| decode(&bytes)) {
-            Some(Ok(envelope)) => Action::Heard(program, envelope),
-            Some(Err(error)) => {
-                Action::EngineBroke(program, format!("A message is wrong: {error}."))
-            }
-            None => Action::EngineBroke(program, why()),
-        });
-    });
-    worker.set_onmessage(Some(message.as_ref().unchecked_ref()));
-
-    let broke = act.clone();
-    let error = Closure::new(move |event: web_sys::Event| {
-        let detail = event.dyn_ref::<web_sys::ErrorEvent>().map(|e| e.message());
-        let detail = detail.filter(|m| !m.is_empty());
-        broke.emit(Action::EngineBroke(
-            program,
-            detail.unwrap_or_else(|| "The engine's files could not be loaded.".to_owned()),
-        ));
-    });
-    worker.set_onerror(Some(error.as_ref().unchecked_ref()));
-    Ok(Engine { worker, _message: message, _error: error })
-}
-
 /// This very program, for the engine that talks: loaded and compiled once.
 fn own_program() -> Result<JsValue, JsValue> {
     let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
@@ -191,22 +140,4 @@ fn own_program() -> Result<JsValue, JsValue> {
     js_sys::Reflect::set(&sent, &"script".into(), &script.into())?;
     js_sys::Reflect::set(&sent, &"program".into(), &wasm_bindgen::module())?;
     Ok(sent.into())
-}
-
-/// An address for a text, or for bytes, of a type.
-fn object_url(content: JsValue, kind: &str) -> Result<String, JsValue> {
-    let options = BlobPropertyBag::new();
-    options.set_type(kind);
-    let parts = js_sys::Array::of1(&content);
-    Url::create_object_url_with_blob(&Blob::new_with_str_sequence_and_options(&parts, &options)?)
-}
-
-fn save(name: &str, content: JsValue) -> Result<(), JsValue> {
-    let url = object_url(content, "text/plain;charset=utf-8")?;
-    let document = web_sys::window().and_then(|w| w.document()).ok_or("no document")?;
-    let link: HtmlAnchorElement = document.create_element("a")?.unchecked_into();
-    link.set_href(&url);
-    link.set_download(name);
-    link.click();
-    Url::revoke_object_url(&url)
 }

@@ -1,8 +1,9 @@
 //! The page as Yew draws it: what stands around the pages, and what carries their effects out; wasm only.
 
 mod masthead;
-mod stopped;
 mod address;
+mod bench;
+mod coming;
 mod effects;
 mod root;
 

@@ -1,18 +1,19 @@
 //! The root component: holds the state, hands every action to the reducer and every effect to [`Effects`].
 
 use super::address;
+use super::coming::coming;
 use super::effects::Effects;
 use super::masthead::masthead;
-use super::stopped::stopped;
 use crate::ui::app::action::{Action, View};
-use crate::ui::app::state::State;
+use crate::ui::app::state::{Bench, State};
 use crate::ui::app::update::reduce;
 use crate::ui::app::words::Text;
 use crate::ui::page::language::Language;
+use crate::ui::page::view::stopped::stopped;
 use crate::ui::page::view::{files, host};
+use crate::ui::page::words::Text as Common;
 use crate::ui::talk::view::talk;
-use crate::ui::train::view::workbench;
-use web_sys::DragEvent;
+use web_sys::{DragEvent, File};
 use yew::{Callback, Component, Context, Html, classes, html};
 
 /// Whether there is a page to mount on: a worker has none.
@@ -40,6 +41,8 @@ struct App {
 enum Message {
     Page(Action),
     Drag(bool),
+    /// Files that are not for the robot.
+    Bring(Vec<File>),
 }
 
 impl Component for App {
@@ -58,9 +61,12 @@ impl Component for App {
     fn update(&mut self, _ctx: &Context<Self>, message: Message) -> bool {
         match message {
             Message::Page(action) => {
-                self.state.shared.clock = host::now();
-                let effects = reduce(&mut self.state, action);
-                self.effects.run(effects);
+                self.act(action);
+                true
+            }
+            Message::Bring(files) => {
+                self.effects.bring(files);
+                self.act(Action::Go(View::Train));
                 true
             }
             Message::Drag(dragging) => std::mem::replace(&mut self.dragging, dragging) != dragging,
@@ -76,33 +82,43 @@ impl Component for App {
             })
         };
         let drop = {
-            let (act, link) = (act.reform(Action::Offered), ctx.link().clone());
+            let (act, link) = (act.reform(Action::Given), ctx.link().clone());
             Callback::from(move |event: DragEvent| {
                 event.prevent_default();
                 link.send_message(Message::Drag(false));
-                files::read_all(event.data_transfer().and_then(|d| d.files()), &act);
+                files::sort(files::dropped(&event), act.clone(), link.callback(Message::Bring));
             })
         };
-        let State { shared, view, talk: talking, train } = &self.state;
-        let text = Text::of(shared.language);
+        let State { shared, view, talk: talking, bench } = &self.state;
+        let (text, common) = (Text::of(shared.language), Common::of(shared.language));
+        let again = act.reform(Action::RestartEngine);
+        // The workbench has a foot of its own.
+        let ends = *view != View::Train || *bench != Bench::Here;
         html! {
-                <div class={classes!("page", self.dragging.then_some("dragging"))} data-drop={text.drop_here}
+                <div class={classes!("page", self.dragging.then_some("dragging"), (!ends).then_some("headed"))} data-drop={common.drop_here}
                     ondragover={drag(true)} ondragleave={drag(false)} ondrop={drop}>
                     if *view == View::Talk { <a class="skip" href="#command">{ text.skip }</a> }
                     { masthead(&self.state, &act) }
-                    { stopped(shared.language, &shared.talker, &act) }
-                    { stopped(shared.language, &shared.learner, &act) }
+                    { stopped(shared.language, &shared.talker, &again) }
+                    { stopped(shared.language, &shared.learner, &again) }
                     { match view {
                         View::Talk => talk(talking, shared, &act.reform(Action::Talk)),
-                        View::Train => workbench(train, shared, &act.reform(Action::Train)),
+                        View::Train => coming(&self.state, &act),
                     } }
-                    <footer class="foot">
-                        <p>{ text.stays_here }</p>
-                    </footer>
+                    if ends { <footer class="foot"><p>{ common.stays_here }</p></footer> }
                     <p class="unseen" role="status" aria-live="polite" data-testid="announcement">
                         { &shared.announcement }
                     </p>
                 </div>
         }
+    }
+}
+
+impl App {
+    fn act(&mut self, action: Action) {
+        self.state.shared.clock = host::now();
+        let effects = reduce(&mut self.state, action);
+        self.effects.run(effects);
+        self.effects.keep_up(&self.state);
     }
 }

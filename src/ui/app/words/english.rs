@@ -26,6 +26,7 @@ pub(super) static ENGLISH: Text = Text {
     redo: "Redo",
     undone: "Undone.",
     redone: "Done again.",
-    stays_here: "Everything runs in this page. Nothing that you type, teach or open leaves your machine.",
-    drop_here: "Drop the file to open it",
+    workbench_comes: "The workbench is coming…",
+    no_workbench: |why| format!("The workbench could not be loaded ({why})."),
+    try_again: "Try again",
 };

@@ -26,6 +26,7 @@ pub(super) static GERMAN: Text = Text {
     redo: "Wiederholen",
     undone: "Rückgängig gemacht.",
     redone: "Wiederholt.",
-    stays_here: "Alles läuft in dieser Seite. Nichts, was man eingibt, lehrt oder öffnet, verlässt den Rechner. Befehle sind auf Englisch.",
-    drop_here: "Datei zum Öffnen fallen lassen",
+    workbench_comes: "Die Werkbank kommt…",
+    no_workbench: |why| format!("Die Werkbank ließ sich nicht laden ({why})."),
+    try_again: "Noch einmal versuchen",
 };

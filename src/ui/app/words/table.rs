@@ -19,8 +19,9 @@ pub struct Text {
     pub redo: &'static str,
     pub undone: &'static str,
     pub redone: &'static str,
-    pub stays_here: &'static str,
-    pub drop_here: &'static str,
+    pub workbench_comes: &'static str,
+    pub no_workbench: fn(&str) -> String,
+    pub try_again: &'static str,
 }
 
 impl Text {

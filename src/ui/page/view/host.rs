@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{AddEventListenerOptions, CustomEvent, CustomEventInit, Element, MediaQueryList};
-use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition};
+use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition, Url};
 use yew::Callback;
 
 /// The event that the boot script shows the crash panel on; its detail is the message.
@@ -20,6 +20,13 @@ const DARK: &str = "(prefers-color-scheme: dark)";
 /// An element by its id.
 pub(crate) fn element(id: &str) -> Option<Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
+}
+
+/// The address of a file beside the page.
+pub(crate) fn beside(name: &str) -> Result<Url, JsValue> {
+    let window = web_sys::window().ok_or("no window")?;
+    let base = window.document().ok_or("no document")?.base_uri()?.ok_or("no base address")?;
+    Url::new_with_base(name, &base)
 }
 
 /// Scrolls an element into view as little as need be.

@@ -3,6 +3,9 @@
 //! visitor loads.
 
 pub mod host;
+pub mod save;
+pub mod worker;
+pub mod stopped;
 pub mod files;
 pub mod sign;
 pub mod select;

@@ -18,4 +18,8 @@ pub(super) static ENGLISH: Text = Text {
 
     no_model: |why| format!("The model that comes with this page could not be loaded ({why})."),
     model_opened: |entries| format!("The model is open: {entries} entries."),
+
+    // The foot, and what is dropped on the page.
+    stays_here: "Everything runs in this page. Nothing that you type, teach or open leaves your machine.",
+    drop_here: "Drop the file to open it",
 };

@@ -18,4 +18,8 @@ pub(super) static GERMAN: Text = Text {
 
     no_model: |why| format!("Das Modell zu dieser Seite ließ sich nicht laden ({why})."),
     model_opened: |entries| format!("Das Modell ist offen: {entries} Einträge."),
+
+    // The foot, and what is dropped on the page.
+    stays_here: "Alles läuft in dieser Seite. Nichts, was man eingibt, lehrt oder öffnet, verlässt den Rechner. Befehle sind auf Englisch.",
+    drop_here: "Datei zum Öffnen fallen lassen",
 };

@@ -19,4 +19,8 @@ pub struct Text {
     // The model.
     pub no_model: fn(&str) -> String,
     pub model_opened: fn(usize) -> String,
+
+    // The foot, and what is dropped on the page.
+    pub stays_here: &'static str,
+    pub drop_here: &'static str,
 }

@@ -4,6 +4,7 @@
 use super::session::Session;
 use super::state::{Link, Resume, Sharing};
 use crate::ui::page::coming::Resource;
+use crate::ui::page::document::Origin;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::model;
 use crate::ui::page::shared::Shared;
@@ -60,7 +61,7 @@ fn open(state: &mut State, shared: &mut Shared, session: Session) {
     state.command.input = command.clone().unwrap_or_default();
     state.resume = Resume { lessons: (!lessons.is_empty()).then_some(lessons), command, form };
     match model {
-        Some(text) => model::open_file(shared, text),
+        Some(text) => model::open(shared, text, Origin::File),
         None => resume(state, shared),
     }
 }

@@ -1,9 +1,6 @@
-//! The Train page as Yew draws it; wasm only.
+//! The workbench as Yew draws it, and what carries its effects out; wasm only.
 
-mod training;
-mod problems;
-mod row;
-mod corpus;
-mod workbench;
+mod effects;
+mod root;
 
-pub(crate) use workbench::workbench;
+pub use root::{Handle, mount};

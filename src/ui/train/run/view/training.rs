@@ -1,24 +1,29 @@
 //! Training: the button, how far it is, and what came of it.
 
-use crate::ui::page::shared::Shared;
+use crate::ui::page::files::Offered;
 use crate::ui::page::view::files::open_file;
 use crate::ui::page::view::notice::notice;
-use crate::ui::train::action::Action;
-use crate::ui::train::state::State;
-use crate::ui::train::state::{SETTINGS, is_training};
+use crate::ui::train::desk::Desk;
+use crate::ui::train::run::action::Action;
+use crate::ui::train::run::state::{SETTINGS, State, can_train, is_training};
 use crate::ui::train::words::Text;
 use crate::worker::protocol::Progress;
 use yew::{Callback, Html, classes, html};
 
-/// The training panel. Train and Cancel are one button, so that the keyboard's focus stays.
-pub(super) fn training(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
-    let text = Text::of(shared.language);
-    let State { corpus, progress, notice: own, .. } = state;
-    let model = shared.document.model.as_ref();
-    let training = is_training(shared);
-    let commands = corpus.as_ref().map_or(0, |corpus| corpus.report.rows.len());
+/// The training panel, on so many commands. Train and Cancel are one button, so that the keyboard's focus stays.
+pub(crate) fn training(
+    state: &State,
+    desk: &Desk,
+    commands: usize,
+    act: &Callback<Action>,
+    offer: &Callback<Vec<Offered>>,
+) -> Html {
+    let text = Text::of(desk.language);
+    let State { progress, notice: own } = state;
+    let model = desk.in_use.as_ref();
+    let training = is_training(desk);
     let (word, id, action) = match training {
-        true => (text.cancel, "cancel", Action::CancelTraining),
+        true => (text.cancel, "cancel", Action::Cancel),
         false => (text.begin_training, "train", Action::Train),
     };
     let weight = if training { "plain" } else { "primary" };
@@ -27,7 +32,7 @@ pub(super) fn training(state: &State, shared: &Shared, act: &Callback<Action>) -
             <div class="card-head">
                 <h2 id="train-title">{ text.training }</h2>
                 <button type="button" class={classes!(weight)} data-testid={id}
-                    disabled={!training && !state.can_train(shared)} onclick={act.reform(move |_| action.clone())}>
+                    disabled={!training && !can_train(desk, commands)} onclick={act.reform(move |_| action.clone())}>
                     { word }
                 </button>
             </div>
@@ -37,9 +42,9 @@ pub(super) fn training(state: &State, shared: &Shared, act: &Callback<Action>) -
                 (None, false) => html! { <p>{ (text.train_help)(commands, SETTINGS.epochs) }</p> },
             } }
             if let Some(model) = model { <p data-testid="trained">{ (text.model_is)(model) }</p> }
-            { notice(own.as_deref().or(shared.model_notice.as_deref()), "model-notice") }
+            { notice(own.as_deref().or(desk.model_notice.as_deref()), "model-notice") }
             <div class="files">
-                { open_file("model-file", text.open_model, ".model,.txt,.json", None, &act.reform(Action::Offered)) }
+                { open_file("model-file", text.open_model, ".model,.txt,.json", None, offer) }
                 if model.is_some() {
                     <button type="button" class="quiet" data-testid="save-model"
                         onclick={act.reform(|_| Action::SaveModel)}>{ text.save_model }</button>

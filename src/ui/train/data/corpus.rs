@@ -9,7 +9,7 @@ use std::rc::Rc;
 pub const DEMO_NAME: &str = "six.csv";
 
 /// The page's own corpus: six sentences, each with states before and after.
-pub const DEMO: &str = include_str!("../../../assets/corpus/six.csv");
+pub const DEMO: &str = include_str!("../../../../assets/corpus/six.csv");
 
 /// Corpora with so few rows are shown with all their pictures at once.
 pub const SMALL: usize = 12;

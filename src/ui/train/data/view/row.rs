@@ -2,8 +2,8 @@
 
 use crate::render::{Options, Theme};
 use crate::ui::page::view::picture::Picture;
-use crate::ui::train::action::Action;
-use crate::ui::train::corpus::Corpus;
+use crate::ui::train::data::action::Action;
+use crate::ui::train::data::corpus::Corpus;
 use crate::ui::train::words::Text;
 use crate::worker::protocol::{PairText, RowSummary};
 use yew::{Callback, Html, classes, html};

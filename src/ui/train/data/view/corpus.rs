@@ -3,11 +3,11 @@
 use super::problems::problems;
 use super::row::row;
 use crate::render::Theme;
-use crate::ui::page::shared::Shared;
 use crate::ui::page::view::files::open_file;
-use crate::ui::train::action::Action;
-use crate::ui::train::corpus::Corpus;
-use crate::ui::train::state::State;
+use crate::ui::train::data::action::Action;
+use crate::ui::train::data::corpus::Corpus;
+use crate::ui::train::data::state::State;
+use crate::ui::train::desk::Desk;
 use crate::ui::train::words::Text;
 use yew::{Callback, Html, html};
 
@@ -15,8 +15,8 @@ use yew::{Callback, Html, html};
 const LONG: u64 = 1 << 18;
 
 /// The corpus panel.
-pub(super) fn corpus(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
-    let text = Text::of(shared.language);
+pub(crate) fn corpus(state: &State, desk: &Desk, act: &Callback<Action>) -> Html {
+    let text = Text::of(desk.language);
     let State { corpus, file_notice: notice, .. } = state;
     let accept = ".csv,.tsv,.json,.jsonl,.txt";
     let use_rejected = || {
@@ -48,7 +48,7 @@ pub(super) fn corpus(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                     if !notice.rejected.is_empty() { { use_rejected() } }
                 </div>
             }
-            if let Some(corpus) = corpus { { list(text, corpus, shared.preferences.theme, act, use_rejected) } }
+            if let Some(corpus) = corpus { { list(text, corpus, desk.preferences.theme, act, use_rejected) } }
         </section>
     }
 }

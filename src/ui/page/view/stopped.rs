@@ -1,13 +1,13 @@
 //! The engine that has stopped: what happened, and a new one.
 
-use crate::ui::app::action::Action;
 use crate::ui::page::engine::{Engine, Health};
 use crate::ui::page::language::Language;
 use crate::ui::page::words::Text;
+use crate::worker::protocol::Program;
 use yew::{Callback, Html, html};
 
 /// The engine that has stopped: what happened, and a new one.
-pub(super) fn stopped(language: Language, engine: &Engine, act: &Callback<Action>) -> Html {
+pub(crate) fn stopped(language: Language, engine: &Engine, again: &Callback<Program>) -> Html {
     let text = Text::of(language);
     let program = engine.program();
     let Health::Stopped(why) = &engine.health else { return Html::default() };
@@ -17,7 +17,7 @@ pub(super) fn stopped(language: Language, engine: &Engine, act: &Callback<Action
             <p>{ text.engine_kept }</p>
             <pre tabindex="0" data-testid="engine-report">{ why }</pre>
             <button type="button" class="primary" data-testid="restart-engine"
-                onclick={act.reform(move |_| Action::RestartEngine(program))}>
+                onclick={again.reform(move |_| program)}>
                 { text.engine_restart }</button>
         </section>
     }

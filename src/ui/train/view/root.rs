@@ -1,0 +1,113 @@
+//! The root component of the workbench: holds the state, hands every action to the reducer and every effect to
+//! [`Effects`]. While it is not to be seen it draws nothing, and goes on with its work.
+
+use super::effects::Effects;
+use crate::ui::page::view::stopped::stopped;
+use crate::ui::page::view::{files, host};
+use crate::ui::page::words::Text as Common;
+use crate::ui::train::action::Action;
+use crate::ui::train::data;
+use crate::ui::train::data::view::corpus;
+use crate::ui::train::run::view::training;
+use crate::ui::train::state::State;
+use crate::ui::train::update::reduce;
+use js_sys::Function;
+use web_sys::{DragEvent, Element, File};
+use yew::{AppHandle, Callback, Component, Context, Html, Properties, classes, html};
+
+/// The workbench, mounted.
+pub struct Handle(AppHandle<Workbench>);
+
+/// Mounts it in an element; what it tells the page goes to `tell`.
+pub fn mount(place: Element, tell: Function) -> Handle {
+    Handle(yew::Renderer::<Workbench>::with_root_and_props(place, Props { tell }).render())
+}
+
+impl Handle {
+    /// Tells it something.
+    pub fn act(&self, action: Action) {
+        self.0.send_message(Message::Bench(action));
+    }
+
+    /// Brings it files, which it reads.
+    pub fn bring(&self, files: Vec<File>) {
+        let act = self.0.callback(Message::Bench);
+        files::read_all(files, &act.reform(|files| Action::Data(data::Action::Offered(files))));
+    }
+}
+
+#[derive(PartialEq, Properties)]
+struct Props {
+    tell: Function,
+}
+
+struct Workbench {
+    state: State,
+    effects: Effects,
+    dragging: bool,
+}
+
+enum Message {
+    Bench(Action),
+    Drag(bool),
+}
+
+impl Component for Workbench {
+    type Message = Message;
+    type Properties = Props;
+
+    fn create(ctx: &Context<Self>) -> Workbench {
+        let act = ctx.link().callback(Message::Bench);
+        act.emit(Action::Prefers(host::preferences()));
+        host::watch_preferences(&act.reform(Action::Prefers));
+        let effects = Effects::new(act, ctx.props().tell.clone());
+        Workbench { state: State::default(), effects, dragging: false }
+    }
+
+    fn update(&mut self, _ctx: &Context<Self>, message: Message) -> bool {
+        match message {
+            Message::Bench(action) => {
+                let shown = self.state.shown;
+                let effects = reduce(&mut self.state, action);
+                self.effects.run(effects);
+                shown || self.state.shown
+            }
+            Message::Drag(dragging) => std::mem::replace(&mut self.dragging, dragging) != dragging,
+        }
+    }
+
+    fn view(&self, ctx: &Context<Self>) -> Html {
+        let State { desk, shown, data, run } = &self.state;
+        if !shown {
+            return Html::default();
+        }
+        let act: Callback<Action> = ctx.link().callback(Message::Bench);
+        let drag = |over: bool| {
+            ctx.link().callback(move |event: DragEvent| {
+                event.prevent_default();
+                Message::Drag(over)
+            })
+        };
+        let offer = act.reform(|files| Action::Data(data::Action::Offered(files)));
+        let drop = {
+            let (offer, link) = (offer.clone(), ctx.link().clone());
+            Callback::from(move |event: DragEvent| {
+                event.prevent_default();
+                link.send_message(Message::Drag(false));
+                files::read_all(files::dropped(&event), &offer);
+            })
+        };
+        let common = Common::of(desk.language);
+        html! {
+            <div class={classes!("page", self.dragging.then_some("dragging"))} data-drop={common.drop_here}
+                ondragover={drag(true)} ondragleave={drag(false)} ondrop={drop}>
+                { stopped(desk.language, &desk.learner, &act.reform(Action::RestartEngine)) }
+                <main class="columns train">
+                    { training(run, desk, data.commands(), &act.reform(Action::Run), &offer) }
+                    { corpus(data, desk, &act.reform(Action::Data)) }
+                </main>
+                <footer class="foot"><p>{ common.stays_here }</p></footer>
+            </div>
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! What the learner answers at once, whatever is at work: windows of the sheet, decisions and how they are undone, what a
+//! model makes of a row, files to save.
+
+use super::learner::Learner;
+use super::protocol::{Event, Form, PairText, Request, RowReading, Split};
+use super::read::{parsed, reading, shown, words};
+use super::talker::report;
+use crate::ccg::probability;
+use crate::corpus::{Example, Pair, jsonl, preview, share, table};
+use crate::ground::{PairId, Validator};
+use crate::learn::sheet::{Half, Sheet};
+use crate::logic::read as read_term;
+use std::io::Cursor;
+
+impl Learner {
+    /// Answers a request that is its own and replaces nothing.
+    pub(super) fn answer_aside(&mut self, request: Request) -> Result<Event, String> {
+        let sheet = &mut self.sheet;
+        Ok(match request {
+            Request::ShowRow { row } => {
+                let example = example(sheet, row)?;
+                Event::Row { row, pairs: pairs(example) }
+            }
+            Request::Preview { file } => match preview(Cursor::new(file.bytes)) {
+                Ok(found) => Event::Previewed(Box::new(found)),
+                Err(flaw) => return Err(format!("{}: {flaw}.", file.name)),
+            },
+            Request::Window { view, offset, count } => {
+                Event::Window(Box::new(sheet.window(&view, offset, count)))
+            }
+            Request::Facets => Event::Facets(Box::new(sheet.facets())),
+            Request::Care => Event::Care(sheet.care(None)),
+            Request::Decide { rows, verdict } => Event::Care(sheet.decide(&rows, &verdict)),
+            Request::DecideAll { view, verdict } => {
+                let rows = sheet.seen_rows(&view).to_vec();
+                Event::Care(sheet.decide(&rows, &verdict))
+            }
+            Request::Divide { split } => {
+                let halves = halves(sheet, &split)?;
+                Event::Care(sheet.divide(&halves))
+            }
+            Request::Undo => Event::Care(sheet.turn(true)),
+            Request::Redo => Event::Care(sheet.turn(false)),
+            Request::Mark { rules } => {
+                sheet.mark(rules);
+                Event::Care(sheet.care(None))
+            }
+            Request::SaveSheet { file, form } => save(sheet, file as usize, form)?,
+            Request::SaveBadRows { file } => self.save_bad_rows(file as usize)?,
+            Request::ReadRow { row } => self.read_row(row)?,
+            Request::Errors => {
+                let audit = self.audit.as_ref().ok_or("No model was asked about the rows yet.")?;
+                Event::Errors(Box::new(audit.errors()))
+            }
+            Request::Look => {
+                let look = self.training.as_ref().and_then(|training| training.look());
+                Event::Look(look.map(Box::new))
+            }
+            Request::Checkpoint => {
+                let checkpoint = self.training.as_mut().and_then(|training| training.checkpoint());
+                Event::Checkpoint(checkpoint.ok_or("No run is at work.")?)
+            }
+            Request::ModelSoFar => {
+                let model = self.training.as_ref().and_then(|training| training.model());
+                let model = model.ok_or("Nothing was trained yet.")?;
+                Event::Trained(report(&model, model.print()))
+            }
+            other => {
+                return Err(super::job::misdirected(&other, super::protocol::Program::Learner));
+            }
+        })
+    }
+
+    /// What the model that was audited makes of a row.
+    fn read_row(&mut self, row: u32) -> Result<Event, String> {
+        let example = example(&self.sheet, row as usize)?.clone();
+        let audit = self.audit.as_mut().ok_or("No model was asked about the rows yet.")?;
+        let model = audit.model();
+        let parse = parsed(model, &example.command);
+        let mut validator = Validator::new();
+        let ids: Vec<PairId> =
+            example.pairs.iter().map(|Pair { pre, post }| validator.pair(pre, post)).collect();
+        let before = example.pairs.first().map(|pair| pair.pre.clone());
+        let readings = before.iter().flat_map(|before| {
+            let some: Vec<_> = shown(&parse).collect();
+            some.into_iter().map(|one| reading(model, &parse, one, before)).collect::<Vec<_>>()
+        });
+        let readings: Vec<_> = readings.collect();
+        let mut valid = |form: &str| -> Vec<bool> {
+            let Ok(form) = read_term(&mut model.grammar.terms, form) else { return Vec::new() };
+            ids.iter().map(|&id| validator.valid(&model.grammar.terms, form, &[id])).collect()
+        };
+        let readings: Vec<_> = readings
+            .into_iter()
+            .map(|one| (valid(&one.form), one))
+            .map(|(v, one)| (one, v))
+            .collect();
+        Ok(Event::RowReading(Box::new(RowReading {
+            row,
+            words: words(model, &parse),
+            readings,
+            n_readings: parse.readings.len(),
+            reason: parse.reason.map(|reason| reason.name().to_owned()),
+            probability: probability(model, &parse).map(|(probability, _)| probability),
+            pairs: pairs(&example),
+        })))
+    }
+
+    fn save_bad_rows(&self, file: usize) -> Result<Event, String> {
+        let source = self.read.get(file).ok_or_else(|| format!("There is no file {file}."))?;
+        if source.bad.kept == 0 {
+            return Err(format!("{} has no bad rows.", source.name));
+        }
+        let name = name(&source.name, "bad", if source.is_json { "jsonl" } else { "csv" });
+        Ok(Event::Saved { name, bytes: source.bad.text.clone() })
+    }
+}
+
+fn example(sheet: &Sheet, row: usize) -> Result<&Example, String> {
+    sheet.examples().get(row).ok_or_else(|| format!("The corpus has no row {row}."))
+}
+
+fn pairs(example: &Example) -> Vec<PairText> {
+    let pair = |Pair { pre, post }: &Pair| PairText { pre: pre.clone(), post: post.clone() };
+    example.pairs.iter().map(pair).collect()
+}
+
+/// The half of each row when a sheet is parted so.
+fn halves(sheet: &Sheet, split: &Split) -> Result<Vec<Half>, String> {
+    let examples = sheet.examples();
+    let held_out: Vec<u32> = match split {
+        Split::None => Vec::new(),
+        Split::Share { percent, .. } if !(1..=99).contains(percent) => {
+            return Err("The share that is held out must be between 1 and 99 percent.".to_owned());
+        }
+        Split::Share { by, percent, seed } => share(&by.keys(examples), *percent, *seed).test,
+        Split::Named { workers, names } => {
+            let is_named = |(row, example): (u32, &Example)| {
+                let own = if *workers { &example.worker } else { &example.task };
+                let own = own.as_deref().unwrap_or("");
+                names.iter().any(|name| name == own).then_some(row)
+            };
+            (0..).zip(examples.iter()).filter_map(is_named).collect()
+        }
+    };
+    let mut halves = vec![Half::Train; sheet.len()];
+    held_out.into_iter().for_each(|row| halves[row as usize] = Half::HeldOut);
+    Ok(halves)
+}
+
+/// The good rows of a file with what was decided of them.
+fn save(sheet: &Sheet, file: usize, form: Option<Form>) -> Result<Event, String> {
+    let source = sheet.sources().get(file).ok_or_else(|| format!("There is no file {file}."))?;
+    let rows = sheet.rows_of(file);
+    let own = if source.is_json { Form::JsonLines } else { Form::Csv };
+    let form = form.unwrap_or(own);
+    let examples = sheet.examples().get(rows.clone()).unwrap_or_default();
+    let decisions = sheet.decisions().get(rows).unwrap_or_default();
+    let rows = examples.iter().zip(decisions);
+    let mut bytes = Vec::new();
+    let (written, ending) = match form {
+        Form::Csv => (table::write_rows(&source.columns, &source.mapping, rows, &mut bytes), "csv"),
+        Form::JsonLines => (jsonl::write_rows(rows, &mut bytes), "jsonl"),
+    };
+    written.map_err(|error| format!("{} cannot be written: {error}.", source.name))?;
+    Ok(Event::Saved { name: name(&source.name, "decided", ending), bytes })
+}
+
+/// The name of a file that is made of another.
+fn name(from: &str, what: &str, ending: &str) -> String {
+    let stem = from.strip_suffix(".gz").unwrap_or(from);
+    let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
+    format!("{stem}-{what}.{ending}")
+}

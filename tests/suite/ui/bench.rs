@@ -1,0 +1,77 @@
+//! The page's side of the workbench: fetched when it is wanted, and heard.
+
+use super::{Page, model};
+use groundling::ui::app::Action;
+use groundling::ui::app::action::View;
+use groundling::ui::app::state::Bench;
+use groundling::ui::page::document::Origin;
+use groundling::ui::page::effect::Effect;
+use groundling::ui::page::files::Given;
+use groundling::ui::page::news::News;
+use groundling::worker::protocol::{Event, Request};
+
+#[test]
+fn it_is_fetched_once_when_its_page_is_opened() {
+    let mut page = Page::ready();
+    assert_eq!(page.state.bench, Bench::Absent);
+    page.act(Action::Go(View::Train));
+    assert_eq!(page.others, [Effect::LoadWorkbench]);
+    page.others.clear();
+    page.act(Action::Go(View::Talk));
+    page.act(Action::Go(View::Train));
+    assert!(page.others.is_empty(), "it is on its way");
+
+    page.act(Action::Loaded(Err("no network".to_owned())));
+    assert_eq!(page.state.bench, Bench::Lost("no network".to_owned()));
+    assert!(page.state.shared.announcement.contains("no network"));
+    page.act(Action::Go(View::Train));
+    assert_eq!(
+        (&page.state.bench, &page.others[..]),
+        (&Bench::Coming, &[Effect::LoadWorkbench][..])
+    );
+    page.others.clear();
+    page.act(Action::Loaded(Ok(())));
+    page.act(Action::Go(View::Talk));
+    page.act(Action::Go(View::Train));
+    assert!(page.others.is_empty() && page.state.bench == Bench::Here);
+}
+
+#[test]
+fn what_it_learned_is_used_and_can_be_undone() {
+    let mut page = Page::ready();
+    let origin = |page: &Page| page.state.shared.document.model.as_ref().map(|m| m.origin.clone());
+    let news = News::Use { text: "trained here".to_owned(), corpus: "six.csv".to_owned() };
+    page.act(Action::Bench(news));
+    assert_eq!(page.asked(), &Request::OpenModel { text: "trained here".to_owned() });
+    page.answer(Event::Opened(model("trained here")));
+    assert_eq!(origin(&page), Some(Origin::Trained("six.csv".to_owned())));
+    page.act(Action::Undo);
+    assert_eq!(page.asked(), &Request::OpenModel { text: "the model".to_owned() });
+    assert_eq!(origin(&page), Some(Origin::Shipped));
+}
+
+#[test]
+fn what_it_says_is_said_and_what_it_gives_is_opened() {
+    let mut page = Page::ready();
+    page.act(Action::Bench(News::Say("six commands".to_owned())));
+    assert_eq!(page.state.shared.announcement, "six commands");
+    page.act(Action::Bench(News::Give(Given::Model("a model".to_owned()))));
+    assert_eq!(page.asked(), &Request::OpenModel { text: "a model".to_owned() });
+    page.answer(Event::Refused { message: "not a model".to_owned() });
+    assert_eq!(page.state.shared.model_notice.as_deref(), Some("not a model"));
+}
+
+#[test]
+fn its_news_crosses_as_words() {
+    let text = || "text".to_owned();
+    for news in [
+        News::Say(text()),
+        News::Give(Given::Model(text())),
+        News::Give(Given::Session(text())),
+        News::Use { text: text(), corpus: "a.csv".to_owned() },
+    ] {
+        let [kind, text, corpus] = news.words().map(str::to_owned);
+        assert_eq!(News::of(&kind, text, corpus), Some(news));
+    }
+    assert_eq!(News::of("else", text(), text()), None);
+}
