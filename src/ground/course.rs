@@ -25,6 +25,11 @@ impl Course {
         Ok(Course { guards: guards.collect::<Result<_, _>>()?, outline })
     }
 
+    /// A task whose guards are bound already.
+    pub(super) const fn bound(outline: Outline, guards: Vec<Goal>) -> Course {
+        Course { outline, guards }
+    }
+
     /// When its guards must hold.
     pub fn outline(&self) -> &Outline {
         &self.outline

@@ -94,6 +94,16 @@ impl Monitor {
         part.and_then(|&part| self.parts.get_index(part)) == Some(&Part::Failed)
     }
 
+    /// The part that a residual is, for [`Monitor::part_at`].
+    pub fn part_of(&self, residual: Residual) -> Option<usize> {
+        self.residuals.get_index(residual.index()).copied()
+    }
+
+    /// A part by its place.
+    pub fn part_at(&self, place: usize) -> Option<&Part> {
+        self.parts.get_index(place)
+    }
+
     /// How many residuals were found so far.
     pub fn found(&self) -> usize {
         self.residuals.len()

@@ -42,8 +42,8 @@ pub enum Part {
 /// A task over time, taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outline {
-    guards: Vec<TermId>,
-    parts: Vec<Part>,
+    pub(super) guards: Vec<TermId>,
+    pub(super) parts: Vec<Part>,
 }
 
 impl Outline {
@@ -68,6 +68,11 @@ impl Outline {
         }
         let Outliner { guards, parts, .. } = outliner;
         Ok(Outline { guards, parts })
+    }
+
+    /// Whether no run whatever satisfies it, by its form alone.
+    pub fn is_never(&self) -> bool {
+        self.parts.last() == Some(&Part::Failed)
     }
 
     /// What it asks of single states: goals.

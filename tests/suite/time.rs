@@ -3,10 +3,12 @@
 
 #[path = "time/commands.rs"]
 mod commands;
+#[path = "time/plans.rs"]
+mod plans;
 
 use groundling::ground::{Beginnings, Comparison, Monitor, Outline, Part, compare};
 use groundling::logic::{TermId, Terms, read};
-use proptest::prelude::*;
+use proptest::prelude::{Just, Strategy, prop, prop_assert, prop_assert_eq, prop_oneof, proptest};
 
 /// A task over the guards `p`, `q` and `r`, as text.
 fn task() -> impl Strategy<Value = String> {

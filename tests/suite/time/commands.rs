@@ -17,13 +17,13 @@ fn every_run_of_the_conformance_file_is_judged_as_it_says() {
     }
 }
 
-fn in_room(color: &str) -> String {
+pub(super) fn in_room(color: &str) -> String {
     format!(
         "(in:<e,<e,t>> (the:<<e,t>,e> agent:<e,t>) (the:<<e,t>,e> (lambda $0:e (and:<t*,t> ({color}:<e,t> $0) (room:<e,t> $0)))))"
     )
 }
 
-fn reach(what: &str, then: &str) -> String {
+pub(super) fn reach(what: &str, then: &str) -> String {
     format!("(until:<t,<t,<p,p>>> true:t {what} {then})")
 }
 
