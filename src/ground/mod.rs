@@ -1,5 +1,6 @@
 //! Logical forms meet the world: what each constant means, what a phrase refers to, which states earn a goal.
-//! Determiners are resolved here and only here, in the initial state (invariant 4).
+//! Determiners are resolved here and only here, in the initial state (invariant 4): a `Goal` (of states) or a `Course`
+//! (of runs) cannot be made otherwise.
 
 pub mod class;
 pub mod shade;
