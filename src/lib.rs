@@ -15,7 +15,8 @@
 //! 2. The core (all but `*/gpu`, `*/agent`, `robot/link`, `ui/**/view` and `bin`) has no clock, no randomness of its own, no
 //!    threads, no printing and no browser: callers pass seeds, times and budgets.
 //! 3. The same corpus, settings and seed give the same model, byte for byte, natively and in the browser.
-//! 4. `the` and `argmax` are resolved only in `ground`, in the initial state.
+//! 4. `the` and `argmax` are resolved only in `ground`, in the initial state; a `Goal` of states or a `Course` of runs cannot
+//!    be made otherwise.
 //! 5. Learning never plans, but for the planning validator that Table III compares with.
 //! 6. Ids never leave the owner of their arena; between programs and in files go text and plain data, with a version.
 //! 7. Bad input is no error of the program: it is answered with its place and a remedy, and nothing is lost.

@@ -35,6 +35,8 @@ mod outputs;
 mod goals;
 #[path = "suite/holds.rs"]
 mod holds;
+#[path = "suite/time.rs"]
+mod time;
 #[path = "suite/solvers.rs"]
 mod solvers;
 #[path = "suite/planning.rs"]

@@ -24,6 +24,8 @@ mod compare;
 mod parse;
 #[path = "groundling/holds.rs"]
 mod holds;
+#[path = "groundling/equivalent.rs"]
+mod equivalent;
 #[path = "groundling/plan.rs"]
 mod plan;
 #[path = "groundling/reduce.rs"]
@@ -46,6 +48,7 @@ const COMMANDS: &[Command] = &[
     compare::COMMAND,
     parse::COMMAND,
     holds::COMMAND,
+    equivalent::COMMAND,
     plan::COMMAND,
     reduce::COMMAND,
     experiment::COMMAND,

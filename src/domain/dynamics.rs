@@ -149,8 +149,13 @@ impl Dynamics {
     #[must_use]
     pub fn with_agent(&self, packed: Packed, place: Place, heading: Direction) -> Option<Packed> {
         let is_free = self.object_at(packed, place).is_none();
-        let moved = packed.with(SMALL, self.width, u128::from(place));
-        is_free.then_some(facing(moved, heading))
+        is_free.then(|| self.posed(packed, place, heading))
+    }
+
+    /// The same with the robot even where an object stands, as one sees it who sees the robot alone.
+    #[must_use]
+    pub fn posed(&self, packed: Packed, place: Place, heading: Direction) -> Packed {
+        facing(packed.with(SMALL, self.width, u128::from(place)), heading)
     }
 
     /// Where the object with this index is.

@@ -51,6 +51,12 @@ impl Movable {
         Self(if index < 64 { self.0 | 1 << index } else { self.0 })
     }
 
+    /// These and those.
+    #[must_use]
+    pub const fn or(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
     /// Whether the object with this index may be moved.
     #[inline]
     #[must_use]

@@ -54,6 +54,12 @@ impl Compiled {
         self.atoms.iter().any(|atom| atom.first == Body::Agent)
     }
 
+    /// Whether it is about nothing but where the robot is.
+    pub(super) fn is_of_robot(&self) -> bool {
+        let is_alone = |atom: &Atom| atom.first == Body::Agent && atom.second == Body::Agent;
+        !self.atoms.is_empty() && self.atoms.iter().all(is_alone)
+    }
+
     /// What makes the bound sharper, not made yet: see [`Pairs`]. The doors stay as they are in `initial`.
     pub(super) fn pairs(&self, dynamics: &Dynamics, initial: Packed) -> Option<Pairs> {
         let layout = dynamics.layout();

@@ -5,7 +5,7 @@ use super::denote::{Denotation, Env, Failure, meaning};
 use super::predicate::{Meaning, Measure, PREDICATES, Property, Relation, predicate};
 use super::thing::{Entity, Thing};
 use crate::domain::State;
-use crate::logic::{Node, TermId, Terms};
+use crate::logic::{Node, TIME, TermId, Terms};
 
 /// Nodes that a formula may have.
 const MAX_NODES: usize = 200_000;
@@ -47,7 +47,7 @@ pub struct Goal {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum GoalError {
     /// Its type is another.
-    #[error("a goal has type t, this term has type {0}")]
+    #[error("a goal has type t, or p where it speaks of time; this term has type {0}")]
     NotATruthValue(String),
     /// It speaks of a variable that nothing binds.
     #[error("the term has a variable that no lambda binds")]
@@ -106,8 +106,7 @@ fn check_constants(terms: &Terms, term: TermId) -> Result<(), GoalError> {
                 known.ty == found || !matches!(known.meaning, Meaning::Measure(Measure::Shade(_)))
             });
             let Some(known) = known else {
-                let known: Vec<&str> = PREDICATES.iter().map(|known| known.name).collect();
-                return Err(GoalError::Unknown { name: name.to_owned(), known: known.join(" ") });
+                return Err(GoalError::Unknown { name: name.to_owned(), known: known_names() });
             };
             if found == known.ty {
                 return Ok(());
@@ -115,6 +114,12 @@ fn check_constants(terms: &Terms, term: TermId) -> Result<(), GoalError> {
             Err(GoalError::WrongType { name: name.to_owned(), expected: known.ty, found })
         }
     }
+}
+
+/// The constants that a goal, or a task over time, may hold.
+pub(super) fn known_names() -> String {
+    let names = PREDICATES.iter().map(|known| known.name).chain(TIME.iter().map(|(name, _)| *name));
+    names.collect::<Vec<_>>().join(" ")
 }
 
 impl Goal {

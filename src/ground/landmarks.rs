@@ -8,13 +8,14 @@ use crate::domain::{Movable, State};
 
 impl Goal {
     /// The objects of the initial state that the goal says to move: the first arguments of its relations that
-    /// stand outside any negation; below `exists`, what its variable ranges over by its properties. All others
-    /// are landmarks: put this into [`Rules::movable`](crate::domain::Rules::movable) to have them stay.
+    /// stand outside any negation, and of those that it denies though they are so; below `exists`, what its variable
+    /// ranges over by its properties. All others are landmarks: put this into [`Rules::movable`](crate::domain::Rules::movable) to have them stay.
     #[must_use]
     pub fn movable(&self, initial: &State) -> Movable {
         let reader = Reader::of(self, initial);
         let object = |name: &str| initial.objects.iter().position(|o| o.name == name);
-        let objects = reader.asked.iter().filter_map(|entity| match entity {
+        let moved = reader.asked.iter().chain(&reader.undone);
+        let objects = moved.filter_map(|entity| match entity {
             Entity::Object(name) => object(name),
             _ => None,
         });
@@ -38,12 +39,15 @@ struct Reader<'s, 'f> {
     /// What comes first in relations that shall be, and in those that shall not: the robot and objects, each once.
     asked: Vec<&'f Entity>,
     denied: Vec<&'f Entity>,
+    /// What comes first in relations that shall not be, but are.
+    undone: Vec<&'f Entity>,
 }
 
 impl<'s, 'f> Reader<'s, 'f> {
     fn of(goal: &'f Goal, initial: &'s State) -> Self {
+        let things = Thing::all(initial);
         let mut reader =
-            Reader { things: Thing::all(initial), asked: Vec::new(), denied: Vec::new() };
+            Reader { things, asked: Vec::new(), denied: Vec::new(), undone: Vec::new() };
         reader.read(goal.formula(), true);
         reader
     }
@@ -58,9 +62,12 @@ impl<'s, 'f> Reader<'s, 'f> {
             }
             Formula::Exists { known, .. } => known.iter().for_each(|k| self.read(&k.1, positive)),
             Formula::Not(part) => self.read(part, !positive),
-            Formula::Relation(relation, first @ (Entity::Agent | Entity::Object(_)), _)
+            Formula::Relation(relation, first @ (Entity::Agent | Entity::Object(_)), second)
                 if *relation != Relation::Eq =>
             {
+                if !positive && self.is_so(*relation, first, second) {
+                    self.undone.push(first);
+                }
                 let list = if positive { &mut self.asked } else { &mut self.denied };
                 if !list.contains(&first) {
                     list.push(first);
@@ -68,6 +75,12 @@ impl<'s, 'f> Reader<'s, 'f> {
             }
             Formula::Relation(..) | Formula::Property(..) => {}
         }
+    }
+
+    /// Whether a relation holds at the outset.
+    fn is_so(&self, relation: Relation, a: &Entity, b: &Entity) -> bool {
+        let find = |entity: &Entity| self.things.iter().find(|thing| thing.is(entity));
+        find(a).zip(find(b)).is_some_and(|(a, b)| relation.holds(*a, *b))
     }
 
     /// Whether properties, which nothing changes, leave it a chance to hold somewhere.

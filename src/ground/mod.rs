@@ -1,5 +1,6 @@
 //! Logical forms meet the world: what each constant means, what a phrase refers to, which states earn a goal.
-//! Determiners are resolved here and only here, in the initial state (invariant 4).
+//! Determiners are resolved here and only here, in the initial state (invariant 4): a `Goal` (of states) or a `Course`
+//! (of runs) cannot be made otherwise.
 
 pub mod class;
 pub mod shade;
@@ -7,6 +8,13 @@ pub mod thing;
 pub mod predicate;
 pub mod denote;
 pub mod goal;
+pub mod outline;
+pub mod run;
+pub mod monitor;
+pub mod course;
+pub mod constraint;
+mod proposition;
+pub mod equivalent;
 mod landmarks;
 mod cells;
 mod distance;
@@ -15,16 +23,24 @@ mod pairs;
 mod bound;
 mod compile;
 pub mod task;
+pub mod errand;
 pub mod phrase;
 pub mod claim;
 pub mod validate;
 
 pub use claim::{Article, Claim, Description, Noun, claim, noun};
 pub use class::Class;
+pub use constraint::Constraint;
+pub use course::Course;
 pub use denote::Failure;
+pub use equivalent::{CompareError, Comparison, compare};
+pub use errand::{Errand, ErrandError, errand};
 pub use goal::{Formula, Goal, GoalError};
+pub use monitor::{Monitor, Residual, TooMany};
+pub use outline::{Outline, Part, Valuation};
 pub use phrase::{Phrase, phrases};
 pub use predicate::{Meaning, Measure, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
+pub use run::Beginnings;
 pub use shade::Shade;
 pub use task::{Task, TaskError, World};
 pub use thing::{Entity, Thing};

@@ -163,21 +163,7 @@ impl Mdp for Task {
     }
 
     fn successors(&self, state: Packed, action: Action, out: &mut Vec<(Packed, f64)>) {
-        let from = out.len();
-        self.dynamics.outcomes(state, action, out);
-        let mut kept = from;
-        for at in from..out.len() {
-            let (packed, probability) = out[at];
-            let packed = self.dynamics.quotient(packed);
-            match out[from..kept].iter_mut().find(|o| o.0 == packed) {
-                Some(known) => known.1 += probability,
-                None => {
-                    out[kept] = (packed, probability);
-                    kept += 1;
-                }
-            }
-        }
-        out.truncate(kept);
+        merged(&self.dynamics, state, action, out);
     }
 
     fn is_terminal(&self, state: Packed) -> bool {
@@ -255,6 +241,30 @@ impl Mdp for Task {
             walks.carry(&self.dynamics, carry, out);
         }
     }
+}
+
+/// Appends what may come of an action, states that nothing tells apart as one.
+pub(super) fn merged(
+    dynamics: &Dynamics,
+    state: Packed,
+    action: Action,
+    out: &mut Vec<(Packed, f64)>,
+) {
+    let from = out.len();
+    dynamics.outcomes(state, action, out);
+    let mut kept = from;
+    for at in from..out.len() {
+        let (packed, probability) = out[at];
+        let packed = dynamics.quotient(packed);
+        match out[from..kept].iter_mut().find(|o| o.0 == packed) {
+            Some(known) => known.1 += probability,
+            None => {
+                out[kept] = (packed, probability);
+                kept += 1;
+            }
+        }
+    }
+    out.truncate(kept);
 }
 
 /// A task in which every state is told from every other; see [`Task::world`].

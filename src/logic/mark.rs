@@ -132,7 +132,7 @@ impl<R: Fn(&str) -> String> Copying<'_, R> {
     fn ty(&mut self, ty: TyId) -> TyId {
         match self.from.types.get(ty) {
             // The base types have the same ids in every arena.
-            Type::Entity | Type::Truth | Type::Number => ty,
+            Type::Entity | Type::Truth | Type::Number | Type::Run => ty,
             Type::Function(from, to) => {
                 let (from, to) = (self.ty(from), self.ty(to));
                 self.to.types.function(from, to)

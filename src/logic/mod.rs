@@ -20,5 +20,5 @@ pub use read::{ReadError, read};
 pub use signature::Signature;
 pub use sort::Sorts;
 pub use steps::steps;
-pub use term::{ConstantId, LogicError, Node, TermId, Terms};
+pub use term::{ConstantId, LogicError, Node, TIME, TermId, Terms};
 pub use ty::{TyId, Type, Types};

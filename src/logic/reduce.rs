@@ -56,7 +56,7 @@ impl Terms {
         result
     }
 
-    /// A variadic constant applied to two or more arguments (`and` and `or`: to any number).
+    /// A variadic constant applied to two or more arguments (`and`, `or`, `all` and `any`: to any number).
     ///
     /// # Errors
     /// When an argument has another type, or there are too few.
@@ -194,7 +194,7 @@ impl Terms {
                     ty = to;
                 }
                 Type::Variadic(..) => return Err(LogicError::BareVariadic),
-                Type::Entity | Type::Truth | Type::Number => break,
+                Type::Entity | Type::Truth | Type::Number | Type::Run => break,
             }
         }
         if parameters.is_empty() {
@@ -224,7 +224,7 @@ impl Terms {
                     _ => return Err(LogicError::NotAFunction),
                 }
             }
-            return self.negate(head, &args, result);
+            return self.plain(head, &args, result);
         };
         let constant = match self.node(head) {
             Node::Constant(constant) => constant,
@@ -234,6 +234,8 @@ impl Terms {
         let (unit, absorber) = match constant {
             and if and == known.and => (known.truth, known.falsity),
             or if or == known.or => (known.falsity, known.truth),
+            all if all == known.all => (known.done, known.failed),
+            any if any == known.any => (known.failed, known.done),
             _ if args.len() < 2 => return Err(LogicError::TooFewArguments),
             _ => {
                 let mut args = args;
@@ -259,15 +261,35 @@ impl Terms {
         }
     }
 
-    /// An ordinary application; `not(not(x))` is `x`.
-    fn negate(&mut self, head: TermId, args: &[TermId], ty: TyId) -> Result<TermId, LogicError> {
-        let not = self.connectives.not;
-        if let ([inner], Node::Constant(constant)) = (args, self.node(head))
-            && constant == not
-            && let Node::Apply { head: second, args: [innermost] } = self.node(*inner)
-            && second == head
-        {
-            return Ok(*innermost);
+    /// An ordinary application. `not(not(x))` is `x`; what always holds, or never, of runs is said by one term:
+    /// `always(true)` is `done`; `always(false)`, `until(c, false, k)` and `until(c, x, failed)` are `failed`.
+    fn plain(&mut self, head: TermId, args: &[TermId], ty: TyId) -> Result<TermId, LogicError> {
+        let known = self.connectives;
+        let Node::Constant(constant) = self.node(head) else {
+            return self.raw_apply(head, args, ty);
+        };
+        match *args {
+            [inner] if constant == known.not => {
+                if let Node::Apply { head: second, args: &[innermost] } = self.node(inner)
+                    && second == head
+                {
+                    return Ok(innermost);
+                }
+            }
+            [inner] if constant == known.always => {
+                if inner == known.truth {
+                    return Ok(known.done);
+                }
+                if inner == known.falsity {
+                    return Ok(known.failed);
+                }
+            }
+            [_, reached, after] if constant == known.until => {
+                if reached == known.falsity || after == known.failed {
+                    return Ok(known.failed);
+                }
+            }
+            _ => {}
         }
         self.raw_apply(head, args, ty)
     }

@@ -3,7 +3,7 @@
 //! Equality, hash, type, size and free variables of a term cost O(1).
 
 use super::order;
-use super::ty::{ENTITY, TRUTH, TyId, Type, Types};
+use super::ty::{ENTITY, RUN, TRUTH, TyId, Type, Types};
 use hashbrown::HashTable;
 use rustc_hash::{FxHashMap, FxHasher};
 use std::cmp::Ordering;
@@ -88,7 +88,8 @@ struct Stored {
     predicates: u32,
 }
 
-/// The constants that `and`, `or` and `not` simplification knows.
+/// The constants that normal forms know: connectives of truth values, and those of runs (`TIME` below), by which equal
+/// tasks are one term.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Connectives {
     pub(super) and: ConstantId,
@@ -96,7 +97,23 @@ pub(super) struct Connectives {
     pub(super) not: ConstantId,
     pub(super) truth: TermId,
     pub(super) falsity: TermId,
+    pub(super) all: ConstantId,
+    pub(super) any: ConstantId,
+    pub(super) until: ConstantId,
+    pub(super) always: ConstantId,
+    pub(super) done: TermId,
+    pub(super) failed: TermId,
 }
+
+/// The names of the constants that speak of runs, each with its type. They frame a sentence: no word means one.
+pub const TIME: [(&str, &str); 6] = [
+    ("until", "<t,<t,<p,p>>>"),
+    ("always", "<t,p>"),
+    ("done", "p"),
+    ("failed", "p"),
+    ("all", "<p*,p>"),
+    ("any", "<p*,p>"),
+];
 
 /// One arena of terms and types, with memoised application and composition.
 #[derive(Clone, Debug)]
@@ -120,7 +137,7 @@ impl Default for Terms {
 }
 
 impl Terms {
-    /// An arena that knows `and`, `or`, `not`, `true` and `false`.
+    /// An arena that knows the connectives, and the constants that speak of runs ([`TIME`]).
     pub fn new() -> Self {
         let unset = ConstantId(0);
         let mut terms = Terms {
@@ -136,6 +153,12 @@ impl Terms {
                 not: unset,
                 truth: TermId(0),
                 falsity: TermId(0),
+                all: unset,
+                any: unset,
+                until: unset,
+                always: unset,
+                done: TermId(0),
+                failed: TermId(0),
             },
             applied: FxHashMap::default(),
             composed: FxHashMap::default(),
@@ -147,12 +170,27 @@ impl Terms {
         let not = terms.constant("not", negation);
         let truth = terms.constant("true", TRUTH);
         let falsity = terms.constant("false", TRUTH);
+        let of_runs = terms.types.intern(Type::Variadic(RUN, RUN));
+        let onwards = terms.types.function(RUN, RUN);
+        let reaching = terms.types.function(TRUTH, onwards);
+        let until = terms.types.function(TRUTH, reaching);
+        let until = terms.constant("until", until);
+        let always = terms.types.function(TRUTH, RUN);
+        let always = terms.constant("always", always);
+        let (done, failed) = (terms.constant("done", RUN), terms.constant("failed", RUN));
+        let (all, any) = (terms.constant("all", of_runs), terms.constant("any", of_runs));
         terms.connectives = Connectives {
             and,
             or,
             not,
             truth: terms.raw_constant(truth),
             falsity: terms.raw_constant(falsity),
+            all,
+            any,
+            until,
+            always,
+            done: terms.raw_constant(done),
+            failed: terms.raw_constant(failed),
         };
         terms
     }
@@ -224,6 +262,11 @@ impl Terms {
         self.constants.push(key.clone());
         self.constant_index.insert(key, id);
         id
+    }
+
+    /// `true`.
+    pub fn truth(&self) -> TermId {
+        self.connectives.truth
     }
 
     /// The constant that heads a term `c` or `c(…)`; `None` for a variable or an abstraction.

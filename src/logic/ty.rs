@@ -1,5 +1,5 @@
-//! Simple types over `e` (entity), `t` (truth value) and `n` (number), interned: equal ids exactly when the
-//! types are equal. `<a,b>` is a function, `<a*,b>` takes two or more `a`s whose order does not matter.
+//! Simple types over `e` (entity), `t` (truth value), `n` (number) and `p` (property of a run), interned: equal ids
+//! exactly when the types are equal. `<a,b>` is a function, `<a*,b>` takes two or more `a`s whose order does not matter.
 
 use rustc_hash::FxHashMap;
 
@@ -16,6 +16,8 @@ pub enum Type {
     Truth,
     /// `n`
     Number,
+    /// `p`: what can be so of a finite run of states.
+    Run,
     /// `<from,to>`
     Function(TyId, TyId),
     /// `<each*,to>`: only constants have it.
@@ -28,6 +30,8 @@ pub const ENTITY: TyId = TyId(0);
 pub const TRUTH: TyId = TyId(1);
 /// `n`, in every arena.
 pub const NUMBER: TyId = TyId(2);
+/// `p`, in every arena.
+pub const RUN: TyId = TyId(3);
 
 /// The types of one arena.
 #[derive(Clone, Debug)]
@@ -39,7 +43,7 @@ pub struct Types {
 impl Default for Types {
     fn default() -> Self {
         let mut types = Types { types: Vec::new(), index: FxHashMap::default() };
-        for base in [Type::Entity, Type::Truth, Type::Number] {
+        for base in [Type::Entity, Type::Truth, Type::Number, Type::Run] {
             types.intern(base);
         }
         types
@@ -69,7 +73,7 @@ impl Types {
     /// Whether `<a*,b>` occurs anywhere in it: such a type may only be a constant's own.
     pub fn has_variadic(&self, id: TyId) -> bool {
         match self.get(id) {
-            Type::Entity | Type::Truth | Type::Number => false,
+            Type::Entity | Type::Truth | Type::Number | Type::Run => false,
             Type::Function(from, to) => self.has_variadic(from) || self.has_variadic(to),
             Type::Variadic(..) => true,
         }
@@ -87,6 +91,7 @@ impl Types {
             Type::Entity => return out.push('e'),
             Type::Truth => return out.push('t'),
             Type::Number => return out.push('n'),
+            Type::Run => return out.push('p'),
             Type::Function(from, to) => (from, ",", to),
             Type::Variadic(each, to) => (each, "*,", to),
         };
@@ -109,6 +114,7 @@ impl Types {
             'e' => Some((ENTITY, rest.as_str())),
             't' => Some((TRUTH, rest.as_str())),
             'n' => Some((NUMBER, rest.as_str())),
+            'p' => Some((RUN, rest.as_str())),
             '<' if depth > 0 => {
                 let (from, rest) = self.read_prefix(rest.as_str(), depth - 1)?;
                 let (variadic, rest) = match rest.strip_prefix('*') {

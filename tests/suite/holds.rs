@@ -22,7 +22,7 @@ fn a_bad_line_is_answered_in_its_place() {
     let good = CASES.lines().next().unwrap();
     for (bad, said) in [
         ("not JSON".to_owned(), "expected"),
-        (good.replacen("\"initial\"", "\"start\"", 1), "missing field `initial`"),
+        (good.replacen("\"initial\"", "\"start\"", 1), "give either initial and current, or run"),
         (good.replacen("(in:", "((in:", 1), "goal: "),
         (good.replacen("(red:", "(purple:", 1), "goal: unknown constant purple"),
         (good.replacen("\"west\"", "\"up\"", 1), "initial: unknown direction `up`"),

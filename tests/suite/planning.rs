@@ -64,7 +64,7 @@ fn the_conformance_file_is_met() {
 }
 
 /// What an action does, as METHOD's third section says it, on plain states.
-fn step(state: &State, action: Action) -> State {
+pub(crate) fn step(state: &State, action: Action) -> State {
     let is_free = |x, y| match cell_at(&state.rooms, &state.doors, x, y) {
         Cell::Wall => false,
         Cell::Floor => true,
@@ -146,7 +146,7 @@ fn oracle(goal: &Goal, initial: &State, pull: bool) -> Option<usize> {
 }
 
 /// A small world with its first doors locked, or never tried, now and then.
-fn world(seed: u64, objects: u32) -> State {
+pub(crate) fn world(seed: u64, objects: u32) -> State {
     let mut state = generate(&Plan { side: (7, 7), objects: (objects, objects) }, seed);
     state.doors[0].lock = Lock::ALL[(seed % 3) as usize];
     if seed.is_multiple_of(7) {

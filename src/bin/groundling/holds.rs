@@ -1,31 +1,40 @@
-//! `holds`: JSON lines `{goal, initial, current}` in, `{"holds"}` out.
+//! `holds`: JSON lines `{goal, initial, current}` or `{goal, run}` in, `{"holds", "at"?}` out.
 
 use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::corpus::cell;
 use groundling::domain::State;
-use groundling::ground::Goal;
-use groundling::logic::{Terms, read};
+use groundling::ground::{Course, Goal};
+use groundling::logic::{TermId, Terms, read};
 use serde::Deserialize;
+use serde_json::json;
 use serde_json::value::RawValue;
 
 pub(crate) const COMMAND: Command = Command {
     name: "holds",
-    about: "Tell whether a goal holds in a state",
+    about: "Tell whether a goal holds in a state, or a run satisfies it",
     usage: "[FILE…]",
-    details: "In:  a JSON object a line: {\"goal\": a term of type t, \"initial\": the state in which it is\n\
-              \x20    said and its phrases are bound, \"current\": the state in question}\n\
-              Out: {\"holds\": true or false}; a bad line is answered by {\"error\", \"line\"} in its place",
+    details: "In:  a JSON object a line: {\"goal\": a term, \"initial\": the state in which it is said and its\n\
+              \x20    phrases are bound, \"current\": the state in question}, or {\"goal\", \"run\": [states]}.\n\
+              \x20    A goal of type t is asked of the last state; one of type p, which speaks of time, of\n\
+              \x20    the whole run (initial and current are a run of two states).\n\
+              Out: {\"holds\": true or false}, for a run with \"at\", the first state at which it does (from 0,\n\
+              \x20    null where there is none); a bad line is answered by {\"error\", \"line\"} in its place",
     run,
 };
 
+/// States that a run may have.
+const MOST_STATES: usize = 10_000;
+
 #[derive(Deserialize)]
-#[serde(expecting = "a question: {goal, initial, current}")]
+#[serde(expecting = "a question: {goal, initial, current} or {goal, run}")]
 struct Question<'a> {
     goal: String,
     #[serde(borrow)]
-    initial: &'a RawValue,
+    initial: Option<&'a RawValue>,
     #[serde(borrow)]
-    current: &'a RawValue,
+    current: Option<&'a RawValue>,
+    #[serde(borrow)]
+    run: Option<Vec<&'a RawValue>>,
 }
 
 fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
@@ -37,10 +46,54 @@ fn answer(line: &str) -> Result<String, String> {
     // An arena a line: a long stream must not grow without end.
     let mut terms = Terms::new();
     let term = read(&mut terms, &question.goal).map_err(|error| format!("goal: {error}"))?;
-    let initial = state("initial", question.initial)?;
-    let current = state("current", question.current)?;
-    let goal = Goal::new(&terms, term, &initial).map_err(|error| format!("goal: {error}"))?;
-    Ok(serde_json::json!({ "holds": goal.holds(&current) }).to_string())
+    let speaks_of_time = terms.types.print(terms.ty(term)) == "p";
+    match (question.run, question.initial, question.current) {
+        (Some(run), None, None) => {
+            let run = states(&run)?;
+            let (holds, at) = if speaks_of_time {
+                satisfied(&terms, term, &run)?
+            } else {
+                reached(&terms, term, &run)?
+            };
+            Ok(json!({ "holds": holds, "at": at }).to_string())
+        }
+        (None, Some(initial), Some(current)) => {
+            let run = [state("initial", initial)?, state("current", current)?];
+            let (holds, _) = if speaks_of_time {
+                satisfied(&terms, term, &run)?
+            } else {
+                reached(&terms, term, &run)?
+            };
+            Ok(json!({ "holds": holds }).to_string())
+        }
+        _ => Err("give either initial and current, or run".to_owned()),
+    }
+}
+
+/// Whether a run satisfies a task, and the last state of its shortest beginning that does.
+fn satisfied(terms: &Terms, term: TermId, run: &[State]) -> Result<(bool, Option<usize>), String> {
+    let (first, last) = (run.first().ok_or("run: there is no state")?, run.len() - 1);
+    let course = Course::new(terms, term, first).map_err(|error| format!("goal: {error}"))?;
+    let beginnings = course.beginnings(run);
+    Ok((beginnings.holds(last), beginnings.first()))
+}
+
+/// Whether a goal holds in a run's last state, and the first in which it does.
+fn reached(terms: &Terms, term: TermId, run: &[State]) -> Result<(bool, Option<usize>), String> {
+    let (first, last) = (run.first(), run.last());
+    let (Some(first), Some(last)) = (first, last) else {
+        return Err("run: there is no state".into());
+    };
+    let goal = Goal::new(terms, term, first).map_err(|error| format!("goal: {error}"))?;
+    Ok((goal.holds(last), run.iter().position(|state| goal.holds(state))))
+}
+
+fn states(run: &[&RawValue]) -> Result<Vec<State>, String> {
+    if run.len() > MOST_STATES {
+        return Err(format!("run: {} states are too many: give {MOST_STATES} at most", run.len()));
+    }
+    let places = (0..).zip(run);
+    places.map(|(place, text)| state(&format!("run: state {place}"), text)).collect()
 }
 
 /// Things may share a cell: a goal can be asked of any state that people's data holds.

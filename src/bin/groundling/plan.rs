@@ -1,8 +1,8 @@
 //! `plan`: a goal and a world a line in, a plan or what a policy is worth out.
 
 use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
-use groundling::domain::{Action, Chances, Form, Movable, Packed, Rules, State};
-use groundling::ground::{Goal, Task};
+use groundling::domain::{Action, Chances, Form, Movable, Rules, State};
+use groundling::ground::{Constraint, Course, ErrandError, Goal, Task, errand};
 use groundling::logic::{Terms, read};
 use groundling::mdp::{
     DISCOUNT, Mdp, Outcome, Policy, Progress, RolloutReport, RolloutSettings, Rollouts, Settings,
@@ -24,7 +24,7 @@ pub(crate) const COMMAND: Command = Command {
               Out: {\"length\", \"actions\", \"value\", \"states\", \"seconds\", \"solver\", \"reason\"?,\n\
               \x20    \"message\"?, \"why\"?, \"least\"?, \"bounds\"?, \"rollouts\"?}. Length and actions where\n\
               \x20    nothing is left to chance; `states` counts those kept; `reason` is no_referent,\n\
-              \x20    unreachable, budget or bad_goal. When the budget ran out no plan is shorter than\n\
+              \x20    unreachable, budget, bad_goal or already_broken. When the budget ran out no plan is shorter than\n\
               \x20    `least`, and `bounds` hold the value.\n\
               \x20    A bad line is answered by {\"error\", \"line\"} in its place.",
     run,
@@ -37,6 +37,8 @@ const STEPS: u64 = 100_000_000;
 const STATES: usize = 1_800_000;
 /// The same for UCT, which always spends it all: seconds.
 const TRIALS: u64 = 2_000_000;
+/// Constraints of a task of which all selections are tried.
+const MOST_CONSTRAINTS: usize = 6;
 /// Most rollouts of a line.
 const MOST_ROLLOUTS: u32 = 100_000;
 /// A policy that takes more actions where nothing is left to chance does not get there.
@@ -81,6 +83,9 @@ struct Answer {
     least: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     bounds: Option<[f64; 2]>,
+    /// The smallest set of constraints without which there is a way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    blocked_by: Option<Vec<String>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     rollouts: Option<Runs>,
 }
@@ -125,17 +130,29 @@ fn answer(line: &str) -> Result<Answer, String> {
     }
     let initial = State::read(question.initial.get()).map_err(|e| format!("initial: {e}"))?;
     let mut terms = Terms::new();
-    let bound = read(&mut terms, &question.goal)
-        .map_err(|e| e.to_string())
-        .and_then(|term| Goal::new(&terms, term, &initial).map_err(|e| e.to_string()));
     let without = |reason| Answer {
         solver: solver.unwrap_or(SOLVERS[0]),
         reason: Some(reason),
         ..Answer::default()
     };
-    let goal = match bound {
+    let bad = |message: String| Ok(Answer { message: Some(message), ..without("bad_goal") });
+    let term = match read(&mut terms, &question.goal) {
+        Ok(term) => term,
+        Err(error) => return bad(error.to_string()),
+    };
+    if terms.types.print(terms.ty(term)) == "p" {
+        let course = match Course::new(&terms, term, &initial) {
+            Ok(course) => course,
+            Err(error) => return bad(error.to_string()),
+        };
+        if landmarks_stay {
+            rules.movable = course.movable(&initial);
+        }
+        return in_time(&question, &terms, &course, &initial, rules, without);
+    }
+    let goal = match Goal::new(&terms, term, &initial) {
         Ok(goal) => goal,
-        Err(message) => return Ok(Answer { message: Some(message), ..without("bad_goal") }),
+        Err(error) => return bad(error.to_string()),
     };
     if landmarks_stay {
         rules.movable = goal.movable(&initial);
@@ -146,46 +163,127 @@ fn answer(line: &str) -> Result<Answer, String> {
         let reason = if is_lost { "no_referent" } else { "unreachable" };
         return Ok(Answer { value: Some(0.0), ..without(reason) });
     }
-    let steps = question.steps.unwrap_or(match solver {
+    let steps = most_steps(&question, solver, task.is_deterministic());
+    solved(&question, &task, steps, rules.chances == Chances::default())
+}
+
+/// What a solver may spend, where a line does not say.
+fn most_steps(question: &Question<'_>, solver: Option<&str>, is_deterministic: bool) -> u64 {
+    question.steps.unwrap_or(match solver {
         Some("uct") => TRIALS,
-        None | Some("astar") if task.is_deterministic() => SURE_STEPS,
+        None | Some("astar") if is_deterministic => SURE_STEPS,
         _ => STEPS,
-    });
+    })
+}
+
+/// Plans for a task over time.
+fn in_time(
+    question: &Question<'_>,
+    terms: &Terms,
+    course: &Course,
+    initial: &State,
+    rules: Rules,
+    without: impl Fn(&'static str) -> Answer,
+) -> Result<Answer, String> {
+    let lost = |reason| Ok(Answer { value: Some(0.0), ..without(reason) });
+    if course.guards().iter().any(Goal::denies_nothing) {
+        return lost("no_referent");
+    }
+    let is_sure = rules.chances == Chances::default();
+    let set_out = |course: &Course| errand(course, initial, rules);
+    let task = match set_out(course) {
+        Ok(task) => task,
+        Err(ErrandError::TooMany(_)) => return Ok(without("budget")),
+        Err(ErrandError::Task(error)) => return Err(format!("initial: {error}")),
+    };
+    if task.watch().has_failed(task.initial().1) {
+        let is_never = course.outline().is_never();
+        return lost(if is_never { "unreachable" } else { "already_broken" });
+    }
+    let steps = most_steps(question, solver(question)?, task.problem().is_deterministic());
+    let mut answer = solved(question, &task, steps, is_sure)?;
+    if task.watch().is_over() {
+        (answer.reason, answer.value) = (Some("budget"), None);
+    }
+    if answer.reason == Some("unreachable") {
+        if course.guards().iter().any(|goal| !goal.failures().is_empty()) {
+            return lost("no_referent");
+        }
+        let constraints = course.constraints(terms);
+        let is_way = |some: &[Constraint]| {
+            let free = course.without(terms, some, initial);
+            let task = set_out(&free).ok()?;
+            let answer = solved(question, &task, steps, is_sure).ok()?;
+            answer.reason.is_none().then_some(())
+        };
+        let blocked = smallest(&constraints, |some| is_way(some).is_some());
+        answer.blocked_by =
+            blocked.map(|some| some.iter().map(|&one| course.says(terms, one)).collect());
+    }
+    Ok(answer)
+}
+
+/// The smallest selection that will do, the first of equals.
+fn smallest(
+    of: &[Constraint],
+    mut will_do: impl FnMut(&[Constraint]) -> bool,
+) -> Option<Vec<Constraint>> {
+    let of = &of[..of.len().min(MOST_CONSTRAINTS)];
+    let select = |set: u32| -> Vec<Constraint> {
+        of.iter().enumerate().filter(|(at, _)| set >> at & 1 == 1).map(|(_, one)| *one).collect()
+    };
+    let mut sets: Vec<u32> = (1..1 << of.len()).collect();
+    sets.sort_by_key(|set| set.count_ones());
+    sets.into_iter().map(select).find(|some| will_do(some))
+}
+
+/// Plans, and follows the plan as often as is wanted.
+fn solved<P>(
+    question: &Question<'_>,
+    problem: &P,
+    steps: u64,
+    is_sure: bool,
+) -> Result<Answer, String>
+where
+    P: Mdp<Action = Action>,
+{
+    let solver = solver(question)?;
+    let runs = question.rollouts.unwrap_or(0);
     let seed = question.seed.unwrap_or(0);
     let epsilon = question.epsilon.unwrap_or(Settings::default().epsilon);
     if !(epsilon > 0.0 && epsilon < 1.0) {
         return Err(format!("epsilon: {epsilon} does not lie between 0 and 1"));
     }
     let settings = Settings { seed, epsilon, ..Settings::default() }.with_budget(steps, STATES);
-    let make = |state| Making::new(solver, StartingAt::new(&task, state), settings);
-    let mut first = make(task.initial());
+    let make = |state| Making::new(solver, StartingAt::new(problem, state), settings);
+    let mut first = make(problem.initial());
     let outcome = first.run();
     if outcome == Outcome::Unfit {
         return Err("solver: astar plans only where nothing is left to chance: use another".into());
     }
-    let mut answer = found(&task, &first, outcome, rules.chances == Chances::default());
+    let mut answer = found(problem, &first, outcome, is_sure);
     if runs > 0 {
         let settings = RolloutSettings { runs, seed, ..RolloutSettings::default() };
-        answer.rollouts = Some(Rollouts::new(&task, settings, first, make).run().into());
+        answer.rollouts = Some(Rollouts::new(problem, settings, first, make).run().into());
     }
     Ok(answer)
 }
 
 /// A solver that was asked for by name, or one that chooses.
-enum Making<'t> {
-    Auto(Auto<StartingAt<&'t Task>>),
-    Named(AnySolver<StartingAt<&'t Task>>),
+enum Making<'t, P: Mdp> {
+    Auto(Auto<StartingAt<&'t P>>),
+    Named(AnySolver<StartingAt<&'t P>>),
 }
 
-impl<'t> Making<'t> {
-    fn new(name: Option<&str>, problem: StartingAt<&'t Task>, settings: Settings) -> Self {
+impl<'t, P: Mdp> Making<'t, P> {
+    fn new(name: Option<&str>, problem: StartingAt<&'t P>, settings: Settings) -> Self {
         match name.and_then(|name| AnySolver::named(name, problem, settings)) {
             Some(solver) => Self::Named(solver),
             None => Self::Auto(Auto::new(problem, settings)),
         }
     }
 
-    fn solver(&self) -> &dyn Solver<Packed, Action> {
+    fn solver(&self) -> &dyn Solver<P::State, P::Action> {
         match self {
             Self::Auto(solver) => solver,
             Self::Named(solver) => solver,
@@ -193,16 +291,16 @@ impl<'t> Making<'t> {
     }
 }
 
-impl Policy<Packed, Action> for Making<'_> {
-    fn action(&self, state: Packed) -> Option<Action> {
+impl<P: Mdp> Policy<P::State, P::Action> for Making<'_, P> {
+    fn action(&self, state: P::State) -> Option<P::Action> {
         self.solver().action(state)
     }
-    fn value(&self, state: Packed) -> Option<f64> {
+    fn value(&self, state: P::State) -> Option<f64> {
         self.solver().value(state)
     }
 }
 
-impl Solver<Packed, Action> for Making<'_> {
+impl<P: Mdp> Solver<P::State, P::Action> for Making<'_, P> {
     fn name(&self) -> &'static str {
         self.solver().name()
     }
@@ -218,7 +316,10 @@ impl Solver<Packed, Action> for Making<'_> {
 }
 
 /// What a solver that has ended found.
-fn found(task: &Task, solver: &Making<'_>, outcome: Outcome, is_sure: bool) -> Answer {
+fn found<P>(task: &P, solver: &Making<'_, P>, outcome: Outcome, is_sure: bool) -> Answer
+where
+    P: Mdp<Action = Action>,
+{
     let progress = solver.progress();
     let mut answer = Answer {
         states: progress.states,
@@ -254,7 +355,10 @@ fn found(task: &Task, solver: &Making<'_>, outcome: Outcome, is_sure: bool) -> A
 }
 
 /// The actions that a policy takes where nothing is left to chance, if they lead to the goal.
-fn followed(task: &Task, policy: &Making<'_>) -> Option<Vec<Action>> {
+fn followed<P>(task: &P, policy: &Making<'_, P>) -> Option<Vec<Action>>
+where
+    P: Mdp<Action = Action>,
+{
     let mut state = task.initial();
     let mut actions = Vec::new();
     let mut out = Vec::new();
