@@ -76,7 +76,7 @@ fn leg(from: &Compiled, to: &Compiled, dynamics: &Dynamics, initial: Packed) -> 
     if !from.is_of_robot() || !to.is_of_robot() {
         return Some(0);
     }
-    let headings = |place| Direction::ALL.into_iter().map(move |heading| (place, *heading));
+    let headings = |place| Direction::ALL.iter().map(move |&heading| (place, heading));
     let poses = dynamics.layout().places().flat_map(headings);
     let poses = poses.map(|(place, heading)| dynamics.posed(initial, place, heading));
     let there = poses.filter(|&pose| from.holds(dynamics, pose));

@@ -284,10 +284,11 @@ impl Terms {
                     return Ok(known.failed);
                 }
             }
-            [_, reached, after] if constant == known.until => {
-                if reached == known.falsity || after == known.failed {
-                    return Ok(known.failed);
-                }
+            [_, reached, after]
+                if constant == known.until
+                    && (reached == known.falsity || after == known.failed) =>
+            {
+                return Ok(known.failed);
             }
             _ => {}
         }

@@ -46,7 +46,7 @@ impl Bench {
                     let lines = (offset..rows.min(offset + count)).map(line).collect();
                     Event::Window(Box::new(Window { total: rows, offset, lines }))
                 }
-                Request::Facets => Event::Facets(Box::new(Facets::default())),
+                Request::Facets => Event::Facets(Box::default()),
                 Request::ShowRow { row } => Event::Row { row, pairs: vec![pair()] },
                 _ => Event::Heard,
             };

@@ -2,8 +2,8 @@
 //! [`Effects`]. While it is not to be seen it draws nothing, and goes on with its work.
 
 use super::effects::Effects;
-use crate::ui::page::view::foot::foot;
 use super::tabs::tabs;
+use crate::ui::page::view::foot::foot;
 use crate::ui::page::view::stopped::stopped;
 use crate::ui::page::view::{files, host};
 use crate::ui::page::words::Text as Common;
