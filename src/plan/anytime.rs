@@ -12,25 +12,29 @@ use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 /// What is done in turn, and how many steps it may take.
 const STAGES: [(Stage, u64); 10] = [
     (Stage::Prove, 500),
-    (Stage::Parts, 30_000),
+    (Stage::First, 30_000),
     (Stage::Greedy, 100_000),
     (Stage::Sharpen, u64::MAX),
-    (Stage::Prove, 100_000),
+    (Stage::Prove, 150_000),
     (Stage::Parts, 100_000),
     (Stage::Improve(1, 2), 20_000),
     (Stage::Improve(2, 3), 40_000),
     (Stage::Improve(1, 1), 40_000),
     (Stage::Prove, u64::MAX),
 ];
+/// So many steps are spent on plans of parts where one of the first ones will do.
+const FIRST: u64 = 3_000;
 /// A plan that is no longer than the bound times this is near enough, after so many steps.
 const NEAR: (u64, u64) = (6, 5);
-const TRIED: u64 = 200_000;
+const TRIED: u64 = 300_000;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Stage {
     /// A* goes on.
     Prove,
-    /// Plans made of parts.
+    /// Plans made of parts, until there is one, and a little longer.
+    First,
+    /// Shorter plans made of parts.
     Parts,
     /// For some plan, if there is none.
     Greedy,
@@ -117,7 +121,8 @@ impl<P: Mdp + Clone> AnyTime<P> {
         if steps >= self.settings.budget.steps || (steps >= TRIED && self.is_near()) {
             return self.end();
         }
-        if steps - self.begun >= most {
+        let is_first = stage == Stage::First && self.plan().is_some();
+        if steps - self.begun >= if is_first { FIRST } else { most } {
             return self.go_on();
         }
         match (stage, &mut self.work) {
@@ -216,7 +221,7 @@ impl<P: Mdp + Clone> AnyTime<P> {
         let problem = self.problem.clone();
         let guide = match stage {
             Stage::Prove | Stage::Sharpen => return,
-            Stage::Parts => {
+            Stage::First | Stage::Parts => {
                 let parts = Parts::new(problem, settings, self.plan.clone());
                 self.work = Work::Parts(Box::new(parts));
                 return;

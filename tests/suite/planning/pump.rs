@@ -65,7 +65,7 @@ fn searches_end_where_they_end() {
 fn a_plan_near_enough_ends_a_search_at_the_same_state() {
     let rules = Rules { pull: true, ..Rules::default() };
     let state = generate(&Plan { side: (10, 11), objects: (5, 5) }, 3);
-    check(&bring(&state, 5), &state, rules, (250_000, 1_000_000), Some("astar"));
+    check(&bring(&state, 5), &state, rules, (400_000, 1_000_000), Some("astar"));
 }
 
 #[test]
