@@ -57,7 +57,7 @@ pub enum Request {
         /// The state of the world it would be said in.
         state: State,
     },
-    /// Parses, grounds and plans a command → [`Event::Planning`](super::Event::Planning) now and then, then [`Event::Answer`]. The policy is
+    /// Parses, grounds and plans a command → [`Event::Planning`](super::Event::Planning) now and then, then [`Event::Answer`](super::Event::Answer). The policy is
     /// kept. Where something was left out, or where it is better to ask first, nothing is planned.
     Ask {
         /// The command as typed.
@@ -67,7 +67,7 @@ pub enum Request {
         /// What can happen in that world.
         rules: WorldRules,
     },
-    /// Plans for a goal, such as another reading's → [`Event::Planning`](super::Event::Planning) now and then, then [`Event::Planned`]. The
+    /// Plans for a goal, such as another reading's → [`Event::Planning`](super::Event::Planning) now and then, then [`Event::Planned`](super::Event::Planned). The
     /// policy is kept.
     Plan {
         /// The goal as an s-expression.
@@ -83,7 +83,7 @@ pub enum Request {
         /// A state of the world that the policy is for.
         state: State,
     },
-    /// Follows the policy that is kept many times → [`Event::RollingOut`](super::Event::RollingOut) after each, then [`Event::RolledOut`].
+    /// Follows the policy that is kept many times → [`Event::RollingOut`](super::Event::RollingOut) after each, then [`Event::RolledOut`](super::Event::RolledOut).
     RollOut {
         /// How often, at most [`MOST_RUNS`](super::MOST_RUNS).
         runs: u32,
@@ -134,7 +134,7 @@ pub enum Request {
         /// Index into [`CorpusReport::rows`](super::CorpusReport::rows).
         row: usize,
     },
-    /// Trains on the corpus that is kept → [`Event::Progress`](super::Event::Progress) after every example, then [`Event::Trained`].
+    /// Trains on the corpus that is kept → [`Event::Progress`](super::Event::Progress) after every example, then [`Event::Trained`](super::Event::Trained).
     Train {
         /// What is known beforehand.
         lexicon: SeedLexicon,
@@ -162,7 +162,7 @@ pub enum Request {
         file: CorpusFile,
     },
     /// Reads corpus files, rejected rows among them, and keeps them as one sheet if each has a good row →
-    /// [`Event::Reading`](super::Event::Reading) now and then, then [`Event::Sheet`].
+    /// [`Event::Reading`](super::Event::Reading) now and then, then [`Event::Sheet`](super::Event::Sheet).
     OpenSheet {
         /// The files.
         files: Vec<MappedFile>,
@@ -238,7 +238,7 @@ pub enum Request {
         file: u32,
     },
     /// Trains on the half of the sheet that is learned from → [`Event::Progress`](super::Event::Progress) after every example,
-    /// [`Event::HeldOut`](super::Event::HeldOut) after every epoch if there is something held out, then [`Event::Trained`].
+    /// [`Event::HeldOut`](super::Event::HeldOut) after every epoch if there is something held out, then [`Event::Trained`](super::Event::Trained).
     Learn {
         /// The settings.
         settings: Box<Settings>,
@@ -294,7 +294,7 @@ pub enum Request {
         /// What the shards handed back, in any order.
         shards: Vec<String>,
     },
-    /// What is at work rests as soon as it can → [`Event::Heard`](super::Event::Heard), then [`Event::Paused`] of what rests.
+    /// What is at work rests as soon as it can → [`Event::Heard`](super::Event::Heard), then [`Event::Paused`](super::Event::Paused) of what rests.
     Pause,
     /// What rests goes on → [`Event::Heard`](super::Event::Heard).
     Resume,
