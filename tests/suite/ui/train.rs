@@ -13,9 +13,9 @@ use groundling::ui::train::run::action::{Number, Setting};
 use groundling::ui::train::run::state::{Pace, can_train};
 use groundling::ui::train::{Action, State, data, lexicon, reduce, run};
 use groundling::worker::protocol::{
-    self, Checkpoint, Deed, Done, EntryWindow, Envelope, Event, Facets, Fault as Flaw, FileReport,
-    Lexicon, Line, Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Status,
-    VERSION, Verdict, View, Window,
+    self, Checkpoint, Deed, Done, EntryWindow, Envelope, Event, Fault as Flaw, FileReport, Lexicon,
+    Line, Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Status, VERSION,
+    Verdict, View, Window,
 };
 use std::rc::Rc;
 
@@ -46,7 +46,7 @@ impl Bench {
                     let lines = (offset..rows.min(offset + count)).map(line).collect();
                     Event::Window(Box::new(Window { total: rows, offset, lines }))
                 }
-                Request::Facets => Event::Facets(Box::new(Facets::default())),
+                Request::Facets => Event::Facets(Box::default()),
                 Request::ShowRow { row } => Event::Row { row, pairs: vec![pair()] },
                 _ => Event::Heard,
             };
