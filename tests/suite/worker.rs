@@ -14,6 +14,8 @@ mod messages;
 mod plans;
 #[path = "worker/readings.rs"]
 mod readings;
+#[path = "worker/resting.rs"]
+mod resting;
 #[path = "worker/shards.rs"]
 mod shards;
 #[path = "worker/sheets.rs"]

@@ -83,3 +83,39 @@ fn two_models_are_held_against_each_other() {
     let output = call(&["compare", &one], "");
     assert_eq!(output.status.code(), Some(2));
 }
+
+#[test]
+fn training_takes_a_mapping_packed_files_and_does_without_features() {
+    let lexicon = "assets/lexicon/demonstration.txt";
+    let train = |corpus: &str, more: &[&str]| {
+        let begin =
+            ["train", "--corpus", corpus, "--lexicon", lexicon, "--epochs", "2", "--out", "-"];
+        text(&[&begin[..], more].concat())
+    };
+    let plain = train(SIX, &[]);
+    let own = std::fs::read_to_string(SIX).unwrap().replacen("Answer.command", "said", 1);
+    let mut mapping = groundling::corpus::preview(own.as_bytes()).unwrap().proposal;
+    mapping.task = None;
+    let mapping = kept("mapping.json", &mapping.write());
+    assert_eq!(train(&kept("own.csv", &own), &["--mapping", &mapping]), plain);
+    let mut packer = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+    std::io::Write::write_all(&mut packer, &std::fs::read(SIX).unwrap()).unwrap();
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("runs");
+    let packed = folder.join("six.gz");
+    std::fs::write(&packed, packer.finish().unwrap()).unwrap();
+    assert_eq!(train(packed.to_str().unwrap(), &[]), plain);
+    let less = train(SIX, &["--without", "pair", "head"]);
+    assert!(less.contains("fact\twithout\tpair head\n") && less != plain);
+    assert!(train(SIX, &["--margin", "1"]).contains("fact\tmargin\t1\n"));
+    for (bad, said) in [
+        (&["--without", "words"][..], "--without `words`: use one of lexeme"),
+        (&["--margin", "-1"], "--margin"),
+        (&["--mapping", SIX], "no mapping"),
+    ] {
+        let begin = ["train", "--corpus", SIX, "--out", "-"];
+        let output = call(&[&begin[..], bad].concat(), "");
+        assert_eq!(output.status.code(), Some(2), "{bad:?}");
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert!(error.contains(said), "{error}");
+    }
+}

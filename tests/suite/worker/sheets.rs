@@ -27,7 +27,7 @@ fn ask(engine: &mut Engine<Learner>, request: Request) -> Vec<Event> {
     events
 }
 
-fn file(name: &str, text: &str) -> MappedFile {
+pub(super) fn file(name: &str, text: &str) -> MappedFile {
     use groundling::worker::protocol::CorpusFile;
     let file = CorpusFile { name: name.to_owned(), bytes: text.into() };
     MappedFile { file, mapping: Mapping::default() }
@@ -40,7 +40,7 @@ fn open(engine: &mut Engine<Learner>, files: Vec<MappedFile>) -> SheetReport {
     }
 }
 
-fn care(engine: &mut Engine<Learner>, request: Request) -> Care {
+pub(super) fn care(engine: &mut Engine<Learner>, request: Request) -> Care {
     match ask(engine, request).pop() {
         Some(Event::Care(care)) => care,
         other => panic!("{other:?}"),
@@ -59,7 +59,7 @@ fn rows(window: &Window) -> Vec<u32> {
 }
 
 /// The six sentences, and the same as JSON lines with a worker each, of which the second is rejected.
-fn sheet() -> Engine<Learner> {
+pub(super) fn sheet() -> Engine<Learner> {
     let mut engine = Engine::new();
     let lines = six().into_iter().enumerate().map(|(at, example)| {
         let pair = &example.pairs[0];
@@ -83,7 +83,7 @@ fn settings(epochs: u32) -> Box<Settings> {
     Box::new(Settings { lexicon, epochs, ..Settings::default() })
 }
 
-fn learn(epochs: u32) -> Request {
+pub(super) fn learn(epochs: u32) -> Request {
     Request::Learn { settings: settings(epochs), resume: None }
 }
 
@@ -443,4 +443,37 @@ fn every_row_is_judged_and_what_the_model_learned_is_shown() {
         invalid.total > 0 && invalid.lines.iter().all(|line| line.outcome != Some(Outcome::Right))
     );
     assert!(window(&mut engine, View { rule: Some(Rule::Short), ..View::default() }).total > 0);
+}
+
+#[test]
+fn columns_are_mapped_after_a_look_at_the_file() {
+    let own = SIX.replacen("Answer.command", "Instruction", 1).replacen("Input.task", "kind", 1);
+    let MappedFile { file, .. } = file("own.csv", &own);
+    let mut engine = Engine::new();
+    let report =
+        open(&mut engine, vec![MappedFile { file: file.clone(), mapping: Mapping::default() }]);
+    assert_eq!(report.care.rows, 0);
+    assert!(report.files[0].useless.as_deref().unwrap().contains("Answer.command is missing"));
+    let Event::Previewed(found) = only(ask(&mut engine, Request::Preview { file: file.clone() }))
+    else {
+        panic!()
+    };
+    assert_eq!(found.proposal.command.as_deref(), Some("Instruction"));
+    assert_eq!(found.rows.len(), 5);
+    let mapping = found.proposal;
+    let report = open(&mut engine, vec![MappedFile { file, mapping: mapping.clone() }]);
+    assert_eq!((report.care.rows, &report.files[0].mapping), (6, &mapping));
+    let Event::Saved { bytes, .. } =
+        only(ask(&mut engine, Request::SaveSheet { file: 0, form: None }))
+    else {
+        panic!()
+    };
+    let header = String::from_utf8(bytes).unwrap();
+    assert!(header.lines().next().unwrap().contains("\"Instruction\""), "names stay");
+    let picture = groundling::worker::protocol::CorpusFile {
+        name: "a.xlsx".to_owned(),
+        bytes: b"PK\x03\x04".to_vec(),
+    };
+    let said = refused(&mut engine, Request::Preview { file: picture });
+    assert!(said.starts_with("a.xlsx: this is a spreadsheet"), "{said}");
 }
