@@ -64,7 +64,10 @@ fn what_is_no_goal_is_refused_with_the_reason() {
     let mut terms = Terms::new();
     let state = world(|_| {});
     for (text, said) in [
-        ("(the:<<e,t>,e> room:<e,t>)", "a goal has type t, or p where it speaks of time; this term has type e"),
+        (
+            "(the:<<e,t>,e> room:<e,t>)",
+            "a goal has type t, or p where it speaks of time; this term has type e",
+        ),
         ("(purple:<e,t> (the:<<e,t>,e> room:<e,t>))", "unknown constant purple: use one of agent"),
         ("(in:<e,t> (the:<<e,t>,e> room:<e,t>))", "in has type <e,<e,t>>, not <e,t>"),
         ("(lambda $0:e (red:<e,t> $0))", "this term has type <e,t>"),

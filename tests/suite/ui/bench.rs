@@ -1,4 +1,4 @@
-//! The page's side of the workbench: fetched when it is wanted, and heard.
+//! The page's side of the workbench: fetched when it is wanted, given files that are corpora, and heard.
 
 use super::{Page, model};
 use groundling::ui::app::Action;
@@ -6,7 +6,7 @@ use groundling::ui::app::action::View;
 use groundling::ui::app::state::Bench;
 use groundling::ui::page::document::Origin;
 use groundling::ui::page::effect::Effect;
-use groundling::ui::page::files::Given;
+use groundling::ui::page::files::{self, Fault, Given, Kind};
 use groundling::ui::page::news::News;
 use groundling::worker::protocol::{Event, Program, Request};
 
@@ -88,4 +88,20 @@ fn its_news_crosses_as_words() {
         assert_eq!(News::of(&kind, text, corpus), Some(news));
     }
     assert_eq!(News::of("else", text(), text()), None);
+}
+
+#[test]
+fn a_file_is_what_it_says() {
+    for (name, text, kind) in [
+        ("a.csv", "x,y", Kind::Corpus),
+        ("a.model", "anything", Kind::Model),
+        ("a.txt", "groundling model 1", Kind::Model),
+        ("a.json", "{\"groundling-session\":1}", Kind::Session),
+        ("a.jsonl", "{\"command\":\"go\"}", Kind::Corpus),
+    ] {
+        assert_eq!(files::kind(name, text.as_bytes()), kind, "{name}");
+    }
+    assert_eq!(files::admit(0.0), Err(Fault::Empty));
+    assert_eq!(files::admit(1e9), Err(Fault::TooLarge));
+    assert_eq!(files::admit(1e6), Ok(()));
 }

@@ -2,7 +2,7 @@
 
 use super::{model, pair};
 use groundling::ui::page::document::{Model, Origin};
-use groundling::ui::page::files::{self, Fault, Given, Kind, Offered};
+use groundling::ui::page::files::{Fault, Given, Offered};
 use groundling::ui::page::news::News;
 use groundling::ui::train::action::Tab;
 use groundling::ui::train::data::action::{Care, Look, Map};
@@ -113,8 +113,7 @@ impl Bench {
     /// What the page was told, but for what is only said.
     fn told(&self) -> Vec<&News> {
         let news = self.others.iter().filter_map(|effect| match effect {
-            Effect::Tell(News::Say(_)) => None,
-            Effect::Tell(news) => Some(news),
+            Effect::Tell(news) if !matches!(news, News::Say(_)) => Some(news),
             _ => None,
         });
         news.collect()
@@ -498,20 +497,4 @@ fn what_is_left_is_told_from_the_pass_before() {
     clock.rest();
     clock.tick(1_000_000.0, &at(2, 51));
     assert_eq!(clock.worked(), 61_000.0, "what goes by while it rests is not its own");
-}
-
-#[test]
-fn a_file_is_what_it_says() {
-    for (name, text, kind) in [
-        ("a.csv", "x,y", Kind::Corpus),
-        ("a.model", "anything", Kind::Model),
-        ("a.txt", "groundling model 1", Kind::Model),
-        ("a.json", "{\"groundling-session\":1}", Kind::Session),
-        ("a.jsonl", "{\"command\":\"go\"}", Kind::Corpus),
-    ] {
-        assert_eq!(files::kind(name, text.as_bytes()), kind, "{name}");
-    }
-    assert_eq!(files::admit(0.0), Err(Fault::Empty));
-    assert_eq!(files::admit(1e9), Err(Fault::TooLarge));
-    assert_eq!(files::admit(1e6), Ok(()));
 }
