@@ -80,7 +80,7 @@ flow('a tab that was closed comes back in a new one, and two tabs do not keep th
   const first = await openPage(t);
   await first.ask('go to the blue room');
   await first.finish();
-  await kept(first, 'go to the blue room');
+  await kept(first, '"command":"go to the blue room"');
   const second = new Demo(t, await t.open());
   await second.ready();
   await second.by('not-kept').waitFor();
@@ -90,7 +90,7 @@ flow('a tab that was closed comes back in a new one, and two tabs do not keep th
     (await first.by('not-kept').count()) > 0 && (await first.by('not-kept').getAttribute('data-fault')) === 'elsewhere');
   await t.until('the second tab keeps it now', async () => (await second.by('not-kept').count()) === 0);
   await second.ask('go to the red room');
-  await kept(second, 'go to the red room');
+  await kept(second, '"command":"go to the red room"');
   await first.page.close();
   await second.page.close();
   const third = new Demo(t, await t.open());
@@ -104,7 +104,7 @@ flow('a page that dies comes back with what was said', async (t) => {
   const demo = await openPage(t);
   await demo.ask('go to the blue room');
   await demo.finish();
-  await kept(demo, 'go to the blue room');
+  await kept(demo, '"command":"go to the blue room"');
   const died = demo.page.waitForEvent('crash');
   const session = await t.context.newCDPSession(demo.page);
   session.send('Page.crash').catch(() => {});
@@ -143,7 +143,7 @@ flow('a link is opened beside the session that is kept, and never over it', asyn
 
   const demo = await openPage(t);
   await demo.ask('go to the blue room');
-  await kept(demo, 'go to the blue room');
+  await kept(demo, '"command":"go to the blue room"');
   await demo.page.close();
   const guest = new Demo(t, await t.open(link));
   await guest.ready();
@@ -151,7 +151,7 @@ flow('a link is opened beside the session that is kept, and never over it', asyn
     (await guest.by('resumed').count()) > 0 && (await guest.by('resumed').getAttribute('data-origin')) === 'Link');
   await t.until('its command', async () => (await guest.by('command').inputValue()) === 'walk next to the yellow block');
   await guest.ask('enter the red room');
-  await kept(guest, 'enter the red room');
+  await kept(guest, '"command":"enter the red room"');
   await guest.page.screenshot({ path: path.join(OUT, 'kept-link.png') });
   await reloaded(guest, 'Left');
   await t.until('as it was left', async () => (await guest.by('command').inputValue()) === 'enter the red room');
@@ -163,9 +163,9 @@ flow('a damaged copy gives way to the one before it', async (t) => {
   t.expect(/ERR_ABORTED/);
   const demo = await openPage(t);
   await demo.ask('go to the blue room');
-  await kept(demo, 'go to the blue room');
+  await kept(demo, '"command":"go to the blue room"');
   await demo.ask('go to the red room');
-  await kept(demo, 'go to the red room');
+  await kept(demo, '"command":"go to the red room"');
   await demo.page.evaluate(async () => {
     const name = (await indexedDB.databases()).map((one) => one.name).find((one) => one.startsWith('groundling'));
     const database = await new Promise((resolve) => {
@@ -224,7 +224,7 @@ flow('no store, a newer store and an older page are told apart', async (t) => {
 flow('what is kept is listed, saved, deleted and opened again by keyboard', async (t) => {
   const demo = await openPage(t);
   await demo.ask('go to the blue room');
-  await kept(demo, 'go to the blue room');
+  await kept(demo, '"command":"go to the blue room"');
   await demo.press('view-kept');
   await demo.by('kept-item').waitFor();
   await t.accessible('what is kept');

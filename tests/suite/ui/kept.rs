@@ -85,6 +85,23 @@ fn what_was_said_comes_back_as_it_ended() {
 }
 
 #[test]
+fn what_was_said_stands_in_its_order_when_it_comes_back() {
+    let mut page = opened(Page::told(3), true, None);
+    while page.play_on() {}
+    page.act(talk::Action::AskExample("where are you?".to_owned()));
+    let text = kept(&mut page).unwrap().1;
+    let mut page = opened(Page::ready(), true, Some(text));
+    let start = page.shown().clone();
+    page.answer(groundling::worker::protocol::Event::Answer(Box::new(super::understood(
+        "go",
+        Some(super::plan(&start, 3)),
+    ))));
+    let said: Vec<&str> =
+        page.state.talk.past.lines.iter().map(|line| line.command.as_str()).collect();
+    assert_eq!(said, ["go", "where are you?"]);
+}
+
+#[test]
 fn what_another_build_kept_besides_is_left_and_the_rest_comes_back() {
     let packed = |text: &str| Session::read(text).unwrap().also.unwrap();
     let text = session();

@@ -4,7 +4,7 @@ use super::state::{Line, MOST_LINES, Outcome};
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::state::State;
 
-/// Notes what was said and what came of it: as another line, or as more of the last one.
+/// Notes what was said and what came of it: as another line, or as more of the last one of the same words.
 pub(crate) fn note(state: &mut State, shared: &Shared, is_new: bool) {
     let Some(said) = &shared.document.said else { return };
     let line = Line {
@@ -12,11 +12,11 @@ pub(crate) fn note(state: &mut State, shared: &Shared, is_new: bool) {
         outcome: Outcome::of(said),
         world: shared.document.world.clone(),
     };
-    let lines = &mut state.past.lines;
-    if !is_new && lines.last().is_some_and(|last| last.command == line.command) {
-        lines.pop();
+    let mut lines = state.past.lines.iter_mut().rev().filter(|_| !is_new);
+    match lines.find(|other| other.command == line.command) {
+        Some(same) => *same = line,
+        None => push(state, line),
     }
-    push(state, line);
 }
 
 /// Adds a line.
