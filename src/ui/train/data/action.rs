@@ -56,6 +56,10 @@ pub enum Look {
     End(bool),
     /// Open the row at a place of the view, or close it.
     Open(u32),
+    /// Open the row that the keyboard is at, or close it.
+    OpenHere,
+    /// Pick the row that the keyboard is at, or no more.
+    PickHere,
     /// Close the row that is open.
     Close,
     /// Pick a row, or no more.

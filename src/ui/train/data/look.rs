@@ -31,10 +31,14 @@ pub fn look(sheet: &mut Sheet, desk: &mut Desk, action: Look) {
         Look::End(is_last) => table.go(if is_last { i64::MAX } else { 0 }),
         Look::Open(place) => {
             table.current = place;
-            let row = table.line(place).map(|line| line.row);
-            let is_open = sheet.open.as_ref().map(|open| open.row) == row;
-            sheet.open = row.filter(|_| !is_open).map(|row| open(row, desk, sheet.is_audited));
-            desk.want(Effect::Reveal("row-title"));
+            turn(sheet, desk);
+        }
+        Look::OpenHere => turn(sheet, desk),
+        Look::PickHere => {
+            if let Some(row) = table.line(table.current).map(|line| line.row) {
+                let is_picked = table.picked.contains(&row);
+                table.pick(row, !is_picked);
+            }
         }
         Look::Close => sheet.open = None,
         Look::Pick(row, is_picked) => table.pick(row, is_picked),
@@ -48,6 +52,14 @@ pub fn ask(sheet: &mut Sheet, desk: &mut Desk) {
     if let Some((view, offset, count)) = sheet.table.ask() {
         desk.ask(Request::Window { view, offset, count });
     }
+}
+
+/// Opens the row that the keyboard is at, or closes it.
+fn turn(sheet: &mut Sheet, desk: &mut Desk) {
+    let row = sheet.table.line(sheet.table.current).map(|line| line.row);
+    let is_open = sheet.open.as_ref().map(|open| open.row) == row;
+    sheet.open = row.filter(|_| !is_open).map(|row| open(row, desk, sheet.is_audited));
+    desk.want(Effect::Reveal("row-title"));
 }
 
 /// Asks for all that there is to say of a row.

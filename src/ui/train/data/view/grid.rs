@@ -61,9 +61,9 @@ pub(super) fn Grid(props: &Props) -> Html {
             }
         })
     };
-    let here = table.line(table.current).map(|line| (line.row, table.picked.contains(&line.row)));
+    let here = table.line(table.current).map(|line| format!("row-{}", line.row));
     let pressed = {
-        let (act, current, page) = (act.clone(), table.current, i64::from(count).max(2) - 1);
+        let (act, page) = (act.clone(), i64::from(count).max(2) - 1);
         Callback::from(move |event: KeyboardEvent| {
             let look = match event.key().as_str() {
                 "ArrowDown" => Look::Move(1),
@@ -72,11 +72,8 @@ pub(super) fn Grid(props: &Props) -> Html {
                 "PageUp" => Look::Move(-page),
                 "Home" => Look::End(false),
                 "End" => Look::End(true),
-                "Enter" => Look::Open(current),
-                " " => match here {
-                    Some((row, picked)) => Look::Pick(row, !picked),
-                    None => return,
-                },
+                "Enter" => Look::OpenHere,
+                " " => Look::PickHere,
                 "Escape" => Look::Close,
                 _ => return,
             };
@@ -93,7 +90,7 @@ pub(super) fn Grid(props: &Props) -> Html {
     html! {
         <div ref={node} class={classes!("grid", sheet.is_small().then_some("small"))} role="grid" tabindex="0"
             aria-label={text.table} aria-rowcount={(table.total() + 1).to_string()} data-testid="rows"
-            aria-activedescendant={here.map(|(row, _)| format!("row-{row}"))} onscroll={scrolled} onkeydown={pressed}>
+            aria-activedescendant={here} onscroll={scrolled} onkeydown={pressed}>
             { head(sheet, text, &act) }
             { space(drawn.start * height) }
             { for drawn.map(|place| row(props, place, &act)) }

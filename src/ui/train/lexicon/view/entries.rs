@@ -46,11 +46,12 @@ fn page(state: &State, window: &EntryWindow, text: &Text, act: &Callback<Action>
             </th>
         }
     };
+    let shown = (text.shown)((offset + 1).min(total), end, total);
     let picked = state.picked.len();
     html! {
         <>
             <p class="buttons figures">
-                <span role="status" data-testid="entries-shown">{ (text.shown)((offset + 1).min(total), end, total) }</span>
+                <span role="status" data-testid="entries-shown">{ shown.clone() }</span>
                 { turn("entries-before", text.before, offset.saturating_sub(PAGE), offset == 0) }
                 { turn("entries-next", text.next, end, end >= total) }
                 if picked > 0 {
@@ -59,7 +60,7 @@ fn page(state: &State, window: &EntryWindow, text: &Text, act: &Callback<Action>
                     </button>
                 }
             </p>
-            <div class="scroll" tabindex="0" role="region" aria-label={text.lexicon}>
+            <div class="scroll" tabindex="0" role="region" aria-label={shown}>
                 <table class="figures" data-testid="entries">
                     <thead><tr>
                         { head("#", EntrySort::Place) }
