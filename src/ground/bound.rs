@@ -11,6 +11,7 @@ use super::distance::{Ground, Moves, Steps, Table};
 use super::wish::{Atom, Load, Node, Wishes, place};
 use crate::domain::layout::Place;
 use crate::domain::{Direction, Dynamics, Lock, Packed};
+use crate::logic::order;
 use crate::mdp::power;
 use std::cmp::Reverse;
 
@@ -73,7 +74,7 @@ impl BoundOf {
         let mut others: Vec<(usize, Tables)> =
             untried.map(|door| (door, of(lock(initial, door)))).collect();
         // Those without which the way is longest; the first of equals.
-        others.sort_by_cached_key(|(_, tables)| {
+        order::sort_by_key(&mut others, |(_, tables)| {
             let without = At { tables, atoms, dynamics, packed: initial }.node(root);
             Reverse(without.unwrap_or(u32::MAX))
         });
@@ -157,7 +158,7 @@ impl BoundOf {
         let wanted: Vec<&Load> = indices.iter().map(|&load| &loads[load]).collect();
         let mut parts: Vec<(u32, usize)> =
             at.tours(at.robot(), &wanted).into_iter().zip(indices).collect();
-        parts.sort_unstable();
+        order::sort_by_key(&mut parts, |&part| part);
         parts
     }
 
@@ -203,7 +204,7 @@ impl BoundOf {
                 _ => {}
             }
         }
-        open.sort_unstable_by_key(|&n| Reverse(n));
+        order::sort_by_key(&mut open, |&n| Reverse(n));
         let by = |tables| {
             let (Some(n), Some(moves)) = (at(tables).node(root), at(tables).moves(root)) else {
                 return 0.0;

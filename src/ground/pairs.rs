@@ -7,6 +7,7 @@
 use super::distance::Ground;
 use crate::domain::layout::{NOWHERE, Place};
 use crate::domain::{Dynamics, Packed};
+use crate::logic::order;
 
 /// Most entries of all tables together, a byte each.
 const MOST_ENTRIES: usize = 12_000_000;
@@ -70,7 +71,7 @@ impl Pairs {
                 kinds.push((one.min(other), one.max(other)));
             }
         }
-        kinds.sort_unstable();
+        order::sort_by_key(&mut kinds, |&kind| kind);
         kinds.dedup();
         kinds
     }
