@@ -65,10 +65,11 @@ pub fn go_on_with(shared: &mut Shared, model: Model) {
 pub fn opened(shared: &mut Shared, text: &str, report: TrainReport) -> bool {
     shared.model_notice = None;
     resource::fetch(shared);
-    if shared.document.model.as_ref().is_some_and(|model| model.report.model == text) {
+    let place = shared.opening.iter().position(|(opening, _)| opening == text);
+    let is_in_use = |model: &Model| model.report.model == text;
+    if place.is_none() && shared.document.model.as_ref().is_some_and(is_in_use) {
         return false;
     }
-    let place = shared.opening.iter().position(|(opening, _)| opening == text);
     let origin = place.map_or(Origin::File, |place| shared.opening.remove(place).1);
     if origin != Origin::Shipped {
         shared.record();

@@ -55,8 +55,6 @@ flow('files that are dropped while one talks go where they belong', async (t) =>
   const model = await demo.model();
   await demo.page.reload();
   await demo.by('row').first().waitFor();
-  // What was trained comes back with the session.
-  await demo.press('afresh');
   await demo.talk();
   await demo.dropAll([['a.model', model], ['three.csv', csv(...rows.slice(1, 4))]]);
   await t.equal(() => demo.corpus(), { name: 'three.csv', rows: 3 }, 'the corpus is open');

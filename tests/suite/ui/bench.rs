@@ -65,6 +65,16 @@ fn models_that_are_opened_at_once_each_know_where_they_come_from() {
 }
 
 #[test]
+fn a_model_in_use_that_is_opened_from_a_file_comes_from_there() {
+    let mut page = Page::ready();
+    let origin = |page: &Page| page.state.shared.document.model.as_ref().map(|m| m.origin.clone());
+    assert_eq!(origin(&page), Some(Origin::Shipped));
+    page.act(Action::Given(Given::Model("the model".to_owned())));
+    page.answer(Event::Opened(model("the model")));
+    assert_eq!(origin(&page), Some(Origin::File));
+}
+
+#[test]
 fn what_it_says_is_said_and_what_it_gives_is_opened() {
     let mut page = Page::ready();
     page.act(Action::Bench(News::Say("six commands".to_owned())));
