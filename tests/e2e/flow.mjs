@@ -174,7 +174,7 @@ export class Flow {
   }
 }
 
-/** Runs in the page before any of its scripts: reports broken content policy, remembers the workers. */
+/** Runs in the page before any of its scripts: reports broken content policy, remembers the workers and what is said aloud. */
 function watch() {
   document.addEventListener('securitypolicyviolation', (event) => {
     console.error(`content policy: ${event.effectiveDirective} ${event.blockedURI} ${event.sourceFile}:${event.lineNumber} ${event.sample}`);
@@ -187,4 +187,15 @@ function watch() {
       globalThis.flowWorkers.push(this);
     }
   };
+  globalThis.flowSaid = [];
+  const note = (element) => {
+    if (element.textContent !== '') globalThis.flowSaid.push(element.textContent);
+  };
+  new MutationObserver((_, finding) => {
+    const element = document.querySelector('[data-testid="announcement"]');
+    if (!element) return;
+    finding.disconnect();
+    note(element);
+    new MutationObserver(() => note(element)).observe(element, { subtree: true, childList: true, characterData: true });
+  }).observe(document, { subtree: true, childList: true });
 }

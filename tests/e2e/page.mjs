@@ -37,6 +37,8 @@ export class Demo {
   constructor(t, page) {
     this.t = t;
     this.page = page;
+    /** How much of what was said aloud has been waited for. */
+    this.heard = 0;
   }
 
   /** The element with this test id. */
@@ -177,9 +179,16 @@ export class Demo {
     return this.by('announcement').textContent();
   }
 
-  /** Waits until a screen reader is told something like this. */
+  /** Waits until a screen reader is told something like this, after what was waited for before; more may have been said since. */
   async says(pattern) {
-    await this.t.until(`${pattern} is said aloud`, async () => pattern.test(await this.said()));
+    await this.t.until(`${pattern} is said aloud`, async () => {
+      const said = await this.page.evaluate(() => globalThis.flowSaid);
+      // A page that was loaded again has said nothing yet.
+      if (said.length < this.heard) this.heard = 0;
+      const at = said.findIndex((words, place) => place >= this.heard && pattern.test(words));
+      if (at >= 0) this.heard = at + 1;
+      return at >= 0;
+    });
   }
 
   /** Chooses what the room is for: `watch`, `edit` or `teach`. */

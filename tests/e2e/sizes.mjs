@@ -9,10 +9,10 @@ import zlib from 'node:zlib';
 const KB = 1000;
 const LIMITS = [
   // Aim: 400. Searches that always find a plan brought the talker 21 KB that are still to be found elsewhere.
-  { what: 'first view', most: 420 * KB, counts: (kind) => kind === 'first' },
+  { what: 'first view', most: 415 * KB, counts: (kind) => kind === 'first' },
   { what: 'models', most: 150 * KB, counts: (kind) => kind === 'model' },
   // Aim: 1,800. The workbench and what it asks of the learner came on top of it.
-  { what: 'everything the app can load', most: 2050 * KB, counts: (kind) => kind !== 'guide' },
+  { what: 'everything the app can load', most: 2020 * KB, counts: (kind) => kind !== 'guide' },
 ];
 
 /** When a file of the site is loaded. */

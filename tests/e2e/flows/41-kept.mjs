@@ -72,6 +72,7 @@ flow('a model that was trained here comes back', async (t) => {
   const model = await demo.model();
   await kept(demo, 'mine.csv');
   await demo.page.reload();
+  await demo.part('run');
   await t.check(async () => /trained here/.test(await demo.by('trained').textContent()), 'the model is back');
   await t.check(async () => (await demo.model()) === model, 'it is the same');
 });
