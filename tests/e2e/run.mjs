@@ -55,7 +55,8 @@ async function run({ title, settings, body }) {
     return { wrong: [error.stack ?? error, ...problems].join('\n'), notes: flow.notes };
   } finally {
     clearTimeout(timer);
-    await context.close();
+    // A page that hangs may not even be closed.
+    await Promise.race([context.close(), new Promise((resolve) => { setTimeout(resolve, 20_000); })]);
   }
 }
 

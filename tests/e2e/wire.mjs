@@ -6,6 +6,9 @@ const VERSION = 9;
 const REQUESTS = { plan: 6, values: 7, roll_out: 8 };
 const EVENTS = { 9: 'planning', 10: 'planned', 11: 'values', 12: 'rolling_out', 13: 'rolled_out' };
 
+/** Kinds of events that answer nothing: news of planning, or of runs. */
+export const NEWS = ['planning', 'rolling_out'].map((name) => Number(Object.keys(EVENTS).find((kind) => EVENTS[kind] === name)));
+
 /** A whole number, seven bits a byte, the lowest first. */
 function whole(n) {
   return n < 128 ? [n] : [(n & 127) | 128, ...whole(Math.floor(n / 128))];

@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { flow } from '../flow.mjs';
 import { openPage } from '../page.mjs';
-import { decode, encode } from '../wire.mjs';
+import { NEWS, decode, encode } from '../wire.mjs';
 import { root } from '../packages.mjs';
 
 /** Milliseconds from a click on `press` until an element `awaited` is there and says `words`, and until it was drawn. */
@@ -45,7 +45,7 @@ flow('times', async (t) => {
 
 /** Plans in a worker of its own: milliseconds to each answer, and how it begins. */
 async function answers(page, requests) {
-  const all = await page.evaluate(async (messages) => {
+  const all = await page.evaluate(async ([messages, news]) => {
     const engine = new Worker(new URL('engine.js', document.baseURI), { type: 'module' });
     // The page's own program, as the page sends it.
     const [script, program] = ['script', 'program'].map((kind) => document.querySelector(`link[data-app=${kind}]`).href);
@@ -59,8 +59,8 @@ async function answers(page, requests) {
     };
     await next();
     const all = [];
-    // The third byte is the kind: news of planning, or of runs, are no answers.
-    const isNews = (said) => said[2] === 12 || said[2] === 15;
+    // The third byte is the kind.
+    const isNews = (said) => news.includes(said[2]);
     for (const message of messages) {
       const start = performance.now();
       engine.postMessage(Uint8Array.from(message));
@@ -70,7 +70,7 @@ async function answers(page, requests) {
     }
     engine.terminate();
     return all;
-  }, requests.map(encode));
+  }, [requests.map(encode), NEWS]);
   return all.map(({ taken, said }) => ({ taken, said: decode(said) }));
 }
 
