@@ -4,6 +4,7 @@
 
 use super::goal::{GoalError, known_names};
 use super::predicate::predicate;
+use crate::logic::ty::{RUN, TRUTH};
 use crate::logic::{Node, TIME, TermId, Terms};
 use rustc_hash::FxHashMap;
 
@@ -54,17 +55,17 @@ impl Outline {
     pub fn new(terms: &Terms, term: TermId) -> Result<Outline, GoalError> {
         let mut outliner =
             Outliner { terms, guards: Vec::new(), parts: Vec::new(), known: FxHashMap::default() };
-        match terms.types.print(terms.ty(term)).as_str() {
-            "t" | "p" if terms.free(term) > 0 => return Err(GoalError::Open),
-            "t" => {
+        match terms.ty(term) {
+            TRUTH | RUN if terms.free(term) > 0 => return Err(GoalError::Open),
+            TRUTH => {
                 let (reach, hold) = (outliner.guard(term)?, outliner.guard(terms.truth())?);
                 let then = outliner.push(Part::Done)?;
                 outliner.push(Part::Until { hold, reach, then })?;
             }
-            "p" => {
+            RUN => {
                 outliner.part(term)?;
             }
-            other => return Err(GoalError::NotATruthValue(other.to_owned())),
+            other => return Err(GoalError::NotATruthValue(terms.types.print(other))),
         }
         let Outliner { guards, parts, .. } = outliner;
         Ok(Outline { guards, parts })

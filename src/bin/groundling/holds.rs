@@ -4,6 +4,7 @@ use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::corpus::cell;
 use groundling::domain::State;
 use groundling::ground::{Course, Goal};
+use groundling::logic::ty::RUN;
 use groundling::logic::{TermId, Terms, read};
 use serde::Deserialize;
 use serde_json::json;
@@ -46,24 +47,16 @@ fn answer(line: &str) -> Result<String, String> {
     // An arena a line: a long stream must not grow without end.
     let mut terms = Terms::new();
     let term = read(&mut terms, &question.goal).map_err(|error| format!("goal: {error}"))?;
-    let speaks_of_time = terms.types.print(terms.ty(term)) == "p";
+    let judge = if terms.ty(term) == RUN { satisfied } else { reached };
     match (question.run, question.initial, question.current) {
         (Some(run), None, None) => {
             let run = states(&run)?;
-            let (holds, at) = if speaks_of_time {
-                satisfied(&terms, term, &run)?
-            } else {
-                reached(&terms, term, &run)?
-            };
+            let (holds, at) = judge(&terms, term, &run)?;
             Ok(json!({ "holds": holds, "at": at }).to_string())
         }
         (None, Some(initial), Some(current)) => {
             let run = [state("initial", initial)?, state("current", current)?];
-            let (holds, _) = if speaks_of_time {
-                satisfied(&terms, term, &run)?
-            } else {
-                reached(&terms, term, &run)?
-            };
+            let (holds, _) = judge(&terms, term, &run)?;
             Ok(json!({ "holds": holds }).to_string())
         }
         _ => Err("give either initial and current, or run".to_owned()),

@@ -3,6 +3,7 @@
 use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::domain::{Action, Chances, Form, Movable, Rules, State};
 use groundling::ground::{Constraint, Course, ErrandError, Goal, Task, errand};
+use groundling::logic::ty::RUN;
 use groundling::logic::{Terms, read};
 use groundling::mdp::{
     DISCOUNT, Mdp, Outcome, Policy, Progress, RolloutReport, RolloutSettings, Rollouts, Settings,
@@ -140,7 +141,7 @@ fn answer(line: &str) -> Result<Answer, String> {
         Ok(term) => term,
         Err(error) => return bad(error.to_string()),
     };
-    if terms.types.print(terms.ty(term)) == "p" {
+    if terms.ty(term) == RUN {
         let course = match Course::new(&terms, term, &initial) {
             Ok(course) => course,
             Err(error) => return bad(error.to_string()),
@@ -212,11 +213,10 @@ fn in_time(
         let constraints = course.constraints(terms);
         let is_way = |some: &[Constraint]| {
             let free = course.without(terms, some, initial);
-            let task = set_out(&free).ok()?;
-            let answer = solved(question, &task, steps, is_sure).ok()?;
-            answer.reason.is_none().then_some(())
+            let answer = set_out(&free).map(|task| solved(question, &task, steps, is_sure));
+            matches!(answer, Ok(Ok(Answer { reason: None, .. })))
         };
-        let blocked = smallest(&constraints, |some| is_way(some).is_some());
+        let blocked = smallest(&constraints, is_way);
         answer.blocked_by =
             blocked.map(|some| some.iter().map(|&one| course.says(terms, one)).collect());
     }
