@@ -4,7 +4,7 @@
 //! deterministic world without pull, and the goal holds in the plan's last state and after. Nothing else in
 //! learning plans (invariant 5).
 
-use crate::domain::{Rules, State};
+use crate::domain::{Rules, State, Way};
 use crate::ground::{Goal, PairId, Side, Task, Validator};
 use crate::logic::{TermId, Terms};
 use crate::mdp::{Budget, Mdp, Outcome, Settings, Solver, StartingAt};
@@ -73,9 +73,14 @@ impl Validation {
         Validation { validator: Validator::new(), planner }
     }
 
-    /// Compiles a demonstration, or finds it again.
+    /// Compiles a pair of states, or finds it again.
     pub fn pair(&mut self, pre: &State, post: &State) -> PairId {
         self.validator.pair(pre, post)
+    }
+
+    /// Takes in a demonstration, or finds it again.
+    pub fn shown(&mut self, pre: &State, post: &State, way: Option<&Way>) -> PairId {
+        self.validator.shown(pre, post, way)
     }
 
     /// Whether a form explains all of the pairs; without pairs nothing does.

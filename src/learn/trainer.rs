@@ -20,7 +20,7 @@ use crate::ccg::{
     Atom, Category, Derivation, EntryId, Feature, Features, Grammar, MAX_WORDS, Model, Origin,
     Reading, Vector, words,
 };
-use crate::corpus::Example;
+use crate::corpus::{Example, Pair};
 use crate::ground::PairId;
 use crate::logic::TermId;
 use indexmap::IndexMap;
@@ -82,7 +82,11 @@ impl Trainer {
         for example in examples {
             let n_pairs = config.demonstrations.map_or(usize::MAX, |n| n as usize);
             let pairs = example.pairs.iter().take(n_pairs);
-            let pairs = pairs.map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
+            let shown = |Pair { pre, post, way }: &Pair| match way {
+                Some(way) if !config.contrasts => validator.shown(pre, post, Some(&way.alone())),
+                way => validator.shown(pre, post, way.as_deref()),
+            };
+            let pairs = pairs.map(shown).collect();
             items.entry(words(&example.command)).or_default().push(pairs);
         }
         let items: Vec<Item> =

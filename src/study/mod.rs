@@ -2,6 +2,7 @@
 
 pub mod tasks;
 pub mod pairs;
+mod runs;
 mod world;
 
 pub use pairs::{DrawError, Drawing, Drawn, draw};

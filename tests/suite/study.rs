@@ -115,7 +115,7 @@ fn worlds_begin_and_end_as_asked() {
         [said(Some("one"), "To the bag with you."), said(Some("two"), "Stand by the bag.")]
     );
     let Drawn { pairs, .. } = draw(&tasks, "bag", 4, 1).unwrap();
-    for Pair { pre, post } in pairs {
+    for Pair { pre, post, .. } in pairs {
         let room = |state: &State| {
             let at = |b: &Bounds| {
                 let (x, y) = (state.agent.x, state.agent.y);

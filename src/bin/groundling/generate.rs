@@ -1,26 +1,30 @@
-//! `generate`: tasks in, pairs of states out, for a study; or worlds from a blueprint.
+//! `generate`: tasks in, demonstrations out, for a study: pairs of states, or runs of a task over time; or worlds from a
+//! blueprint.
 
 use super::command::{Command, Done, Failure};
 use super::corpora::text;
 use groundling::corpus::{Cells, Corpus, Decision, Example, jsonl, limits::MAX_PAIRS, table};
 use groundling::domain::Blueprint;
-use groundling::study::{TASKS, draw, read_tasks};
+use groundling::study::{StudyTask, TASKS, draw, read_tasks};
 use lexopt::ValueExt;
 use std::ffi::OsString;
 use std::io::{self, BufWriter, Write};
 
 pub(crate) const COMMAND: Command = Command {
     name: "generate",
-    about: "Draw pairs of states for the tasks of a study, or worlds",
-    usage: "--tasks FILE|all [--pairs N] [--seed N] [--json] | --worlds N [OPTIONS]",
+    about: "Draw pairs of states or runs for the tasks of a study, or worlds",
+    usage: "--tasks FILE|all [--pairs N] | --goal FORM [--runs N] | --worlds N [OPTIONS]",
     details: "  --tasks FILE|all  a file of tasks, or the 23 of the corpus\n\
-              \x20 --pairs N         pairs for each command (3)\n\
+              \x20 --pairs N         pairs for each command, or runs where its goal is a task over time (3)\n\
+              \x20 --goal FORM       one task: a row with runs if it speaks of time, with pairs otherwise\n\
+              \x20 --runs N          runs of the row, the same as --pairs (3)\n\
               \x20 --seed N          of everything that is drawn (0)\n\
               \x20 --json            JSON lines instead of batch-results CSV\n\
               \n\
               A row a command: its task's name, the voice, its own pairs. Where a task has no voices, one way to say it\n\
-              stands in the command's column, until people have said theirs. What the pairs of a row leave open is told\n\
-              on standard error.\n\
+              stands in the command's column, until people have said theirs (for a goal, the form). A run has contrasts:\n\
+              what a robot would do without one of the task's steps or constraints, where that is not the task. What\n\
+              the demonstrations of a row leave open, and runs without a contrast, are told on standard error.\n\
               \n\
               \x20 --worlds N        instead of pairs: a world a line, as JSON, by the seeds from --seed on\n\
               \x20 --style STYLE     cuts, rows, or hall: rooms along a corridor (cuts)\n\
@@ -36,6 +40,7 @@ pub(crate) const COMMAND: Command = Command {
 #[derive(Default)]
 struct Options {
     tasks: Option<OsString>,
+    goal: Option<String>,
     worlds: Option<u64>,
     pairs: Option<usize>,
     seed: u64,
@@ -54,7 +59,8 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         match name.as_str() {
             "seed" => options.seed = arguments.value()?.parse()?,
             "tasks" => options.tasks = Some(arguments.value()?),
-            "pairs" => options.pairs = Some(arguments.value()?.parse()?),
+            "goal" => options.goal = Some(arguments.value()?.string()?),
+            "pairs" | "runs" => options.pairs = Some(arguments.value()?.parse()?),
             "json" => options.json = true,
             "worlds" => options.worlds = Some(arguments.value()?.parse()?),
             "style" => blueprint.style = arguments.value()?.parse()?,
@@ -68,7 +74,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
         match name.as_str() {
             "seed" | "json" => {}
-            "tasks" | "pairs" => of_pairs = Some(name),
+            "tasks" | "goal" | "pairs" | "runs" => of_pairs = Some(name),
             _ => of_worlds = Some(name),
         }
     }
@@ -83,16 +89,28 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
 
 /// Pairs for the tasks of a study.
 fn pairs(options: &Options) -> Result<Done, Failure> {
-    let missing = || Failure::Usage("--tasks FILE|all is missing, or --worlds N".into());
-    let file = options.tasks.as_ref().ok_or_else(missing)?;
     let n = options.pairs.unwrap_or(3);
     if !(1..=MAX_PAIRS).contains(&n) {
-        return Err(Failure::Usage(format!("--pairs {n}: use 1 to {MAX_PAIRS}")));
+        return Err(Failure::Usage(format!("--pairs, --runs {n}: use 1 to {MAX_PAIRS}")));
     }
-    let own = if file == "all" { None } else { Some(text(file.as_ref())?) };
-    let place = file.to_string_lossy();
-    let tasks = read_tasks(own.as_deref().unwrap_or(TASKS))
-        .map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
+    let (place, tasks) = match (&options.tasks, &options.goal) {
+        (Some(file), None) => {
+            let own = if file == "all" { None } else { Some(text(file.as_ref())?) };
+            (file.to_string_lossy().into_owned(), read_tasks(own.as_deref().unwrap_or(TASKS)))
+        }
+        (None, Some(goal)) => {
+            let task = StudyTask::of(goal).map_err(|e| Failure::Usage(format!("--goal: {e}")))?;
+            ("--goal".to_owned(), Ok(vec![task]))
+        }
+        (Some(_), Some(_)) => {
+            return Err(Failure::Usage("--tasks and --goal: leave one out".into()));
+        }
+        (None, None) => {
+            let missing = "--tasks FILE|all is missing, or --goal FORM, or --worlds N";
+            return Err(Failure::Usage(missing.into()));
+        }
+    };
+    let tasks = tasks.map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
     let mut corpus = Corpus::default();
     let mut error = io::stderr();
     for task in &tasks {
@@ -109,6 +127,11 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
                 let open = drawn.open.join(", ");
                 let _ = writeln!(error, "{id}: with {n} a task this stays open: {open}");
             }
+            for (number, pair) in (1..).zip(&drawn.pairs) {
+                if pair.way.as_ref().is_some_and(|way| way.contrasts.is_empty()) {
+                    let _ = writeln!(error, "{id}: run {number} has no contrast");
+                }
+            }
             corpus.examples.push(Example {
                 id,
                 line: 0,
@@ -118,6 +141,7 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
                 decision: Decision::Open,
                 pairs: drawn.pairs,
                 rest: Cells::default(),
+                keys: Cells::default(),
             });
         }
     }

@@ -152,7 +152,7 @@ fn leaving(truly: bool) -> Vec<Example> {
         let color = color.clone().find(|color| example.command.contains(color))?;
         example.command = format!("leave the {color} room");
         if truly {
-            let back = |Pair { pre, post }| Pair { pre: post, post: pre };
+            let back = |Pair { pre, post, .. }| Pair::of(post, pre);
             example.pairs = example.pairs.into_iter().map(back).collect();
         }
         Some(example)
