@@ -141,7 +141,8 @@ impl Validator {
         known.or_insert_with(|| Outline::new(terms, term).ok().map(Rc::new)).clone()
     }
 
-    fn is_run(&self, pair: PairId) -> bool {
+    /// Whether a demonstration is a run: it is known how one state came to the other.
+    pub fn is_run(&self, pair: PairId) -> bool {
         self.shown.get_index(pair.0 as usize).is_some_and(|(.., way)| way.is_some())
     }
 
@@ -275,8 +276,8 @@ struct Evaluator<'a> {
 }
 
 impl<'a> Evaluator<'a> {
-    fn view(&self, at: usize) -> &'a View {
-        &self.views[at]
+    fn view(&self, state: usize) -> &'a View {
+        &self.views[state]
     }
 
     fn meaning(&mut self, term: TermId) -> Option<(Meaning, &'a [TermId])> {
@@ -294,7 +295,7 @@ impl<'a> Evaluator<'a> {
         Some(((*known)?, args))
     }
 
-    fn truth(&mut self, term: TermId, at: usize, env: &mut Env) -> Option<bool> {
+    fn truth(&mut self, term: TermId, state: usize, env: &mut Env) -> Option<bool> {
         self.steps += 1;
         if self.steps > MAX_STEPS {
             return None;
@@ -305,26 +306,26 @@ impl<'a> Evaluator<'a> {
             (Meaning::And, all) => {
                 let mut truth = true;
                 for &arg in all {
-                    truth &= self.truth(arg, at, env)?;
+                    truth &= self.truth(arg, state, env)?;
                 }
                 truth
             }
             (Meaning::Or, any) => {
                 let mut truth = false;
                 for &arg in any {
-                    truth |= self.truth(arg, at, env)?;
+                    truth |= self.truth(arg, state, env)?;
                 }
                 truth
             }
-            (Meaning::Not, &[arg]) => !self.truth(arg, at, env)?,
-            (Meaning::Exists, &[property]) => self.extension(property, at, env)? != 0,
+            (Meaning::Not, &[arg]) => !self.truth(arg, state, env)?,
+            (Meaning::Exists, &[property]) => self.extension(property, state, env)? != 0,
             (Meaning::Property(property), &[of]) => {
                 let of = self.referent(of, env)?;
-                of.is_some_and(|of| self.view(at).property(property) & bit(of) != 0)
+                of.is_some_and(|of| self.view(state).property(property) & bit(of) != 0)
             }
             (Meaning::Relation(relation), &[a, b]) => {
                 match (self.referent(a, env)?, self.referent(b, env)?) {
-                    (Some(a), Some(b)) => self.view(at).from(relation, a) & bit(b) != 0,
+                    (Some(a), Some(b)) => self.view(state).from(relation, a) & bit(b) != 0,
                     _ => false,
                 }
             }
@@ -333,42 +334,44 @@ impl<'a> Evaluator<'a> {
     }
 
     /// The entities of one state of which a term of type `<e,t>` holds.
-    fn extension(&mut self, term: TermId, at: usize, env: &mut Env) -> Option<Bits> {
+    fn extension(&mut self, term: TermId, state: usize, env: &mut Env) -> Option<Bits> {
         match self.terms.node(term) {
-            Node::Lambda { body, .. } => Some(self.set(body, at, env)? & self.view(at).present),
+            Node::Lambda { body, .. } => {
+                Some(self.set(body, state, env)? & self.view(state).present)
+            }
             _ => None,
         }
     }
 
     /// The entities that variable 0 may stand for to make `body` true; the others are in `env`. Entities
     /// that the state lacks may be in it too.
-    fn set(&mut self, body: TermId, at: usize, env: &mut Env) -> Option<Bits> {
+    fn set(&mut self, body: TermId, state: usize, env: &mut Env) -> Option<Bits> {
         let all_or_none = |truth: bool| if truth { Bits::MAX } else { 0 };
-        let view = self.view(at);
+        let view = self.view(state);
         Some(match self.meaning(body)? {
             (Meaning::True, _) => Bits::MAX,
             (Meaning::False, _) => 0,
             (Meaning::And, all) => {
                 let mut set = Bits::MAX;
                 for &arg in all {
-                    set &= self.set(arg, at, env)?;
+                    set &= self.set(arg, state, env)?;
                 }
                 set
             }
             (Meaning::Or, any) => {
                 let mut set = 0;
                 for &arg in any {
-                    set |= self.set(arg, at, env)?;
+                    set |= self.set(arg, state, env)?;
                 }
                 set
             }
-            (Meaning::Not, &[arg]) => !self.set(arg, at, env)?,
+            (Meaning::Not, &[arg]) => !self.set(arg, state, env)?,
             (Meaning::Property(property), &[of]) => match self.argument(of, env)? {
                 Argument::Own => view.property(property),
                 Argument::Fixed(of) => {
                     all_or_none(of.is_some_and(|of| view.property(property) & bit(of) != 0))
                 }
-                Argument::Dependent => self.one_by_one(body, at, env)?,
+                Argument::Dependent => self.one_by_one(body, state, env)?,
             },
             (Meaning::Relation(relation), &[a, b]) => {
                 match (self.argument(a, env)?, self.argument(b, env)?) {
@@ -377,19 +380,19 @@ impl<'a> Evaluator<'a> {
                     (Argument::Fixed(a), Argument::Fixed(b)) => all_or_none(
                         a.zip(b).is_some_and(|(a, b)| view.from(relation, a) & bit(b) != 0),
                     ),
-                    _ => self.one_by_one(body, at, env)?,
+                    _ => self.one_by_one(body, state, env)?,
                 }
             }
-            (Meaning::Exists, _) => self.one_by_one(body, at, env)?,
+            (Meaning::Exists, _) => self.one_by_one(body, state, env)?,
             _ => return None,
         })
     }
 
-    fn one_by_one(&mut self, body: TermId, at: usize, env: &mut Env) -> Option<Bits> {
+    fn one_by_one(&mut self, body: TermId, state: usize, env: &mut Env) -> Option<Bits> {
         let mut set = 0;
-        for at in members(self.view(at).present) {
+        for at in members(self.view(state).present) {
             env.push(Some(at));
-            let truth = self.truth(body, at, env);
+            let truth = self.truth(body, state, env);
             env.pop();
             set |= if truth? { bit(at) } else { 0 };
         }

@@ -83,6 +83,11 @@ impl Validation {
         self.validator.shown(pre, post, way)
     }
 
+    /// Whether a demonstration is a run.
+    pub fn is_run(&self, pair: PairId) -> bool {
+        self.validator.is_run(pair)
+    }
+
     /// Whether a form explains all of the pairs; without pairs nothing does.
     pub fn valid(&mut self, terms: &Terms, form: TermId, pairs: &[PairId]) -> bool {
         let Validation { validator, planner } = self;

@@ -3,7 +3,7 @@
 
 use super::config::Config;
 use super::fingerprint::fingerprint;
-use super::genlex::{Candidate, CoarseCharts, Generated, Scope, generate};
+use super::genlex::{Candidate, CoarseCharts, Domain, Generated, Scope, generate};
 use super::gradient::update;
 use super::idioms::{Command, Idioms, SEARCH};
 use super::kept::{Kept, Read};
@@ -46,6 +46,8 @@ pub struct Trainer {
     items: Vec<Item>,
     n_examples: usize,
     validator: Validation,
+    /// Whether any demonstration is a run.
+    has_runs: bool,
     kept: Kept,
     /// What was read of the command at work, while nothing is learned that could change it.
     read: Option<Read>,
@@ -78,6 +80,7 @@ impl Trainer {
             model.facts.insert("horizon".to_owned(), horizon.to_string());
         }
         let mut validator = Validation::new(config.planning);
+        let has_runs = examples.iter().flat_map(|one| &one.pairs).any(|pair| pair.way.is_some());
         let mut items: IndexMap<Vec<String>, Vec<Vec<PairId>>, FxBuildHasher> = IndexMap::default();
         for example in examples {
             let n_pairs = config.demonstrations.map_or(usize::MAX, |n| n as usize);
@@ -100,6 +103,7 @@ impl Trainer {
             items,
             n_examples: examples.len(),
             validator,
+            has_runs,
             order: Vec::new(),
             epoch: 0,
             next: 0,
@@ -400,7 +404,12 @@ impl Trainer {
             return;
         }
         let config = chart_config(self.config.lexical_beam, self.config.lexical_budget);
-        let generated = generate(&mut self.model, words, scope, config, &mut self.coarse);
+        let config = ChartConfig { in_time: self.has_runs, ..config };
+        let pairs = &self.items[at].examples[example];
+        let shows_run = pairs.iter().any(|&pair| self.validator.is_run(pair));
+        let domain = if shows_run { Domain::Runs } else { Domain::States };
+        let may = (scope, domain);
+        let generated = generate(&mut self.model, words, may, config, &mut self.coarse);
         let is_new = |&id: &EntryId| self.model.lexicon.is_candidate(id);
         if generated.candidates.is_empty() && !generated.empty.iter().flatten().any(is_new) {
             return;
@@ -447,7 +456,7 @@ impl Trainer {
                     || validator.denotes(&grammar.terms, category.meaning, pairs))
         };
         let Config { beam, lexical_budget, .. } = self.config;
-        let config = chart_config(beam, lexical_budget);
+        let config = ChartConfig { in_time: self.has_runs, ..chart_config(beam, lexical_budget) };
         fill_knowing(&mut self.model, self.kept.goals(), words, items, admit, config)
     }
 
@@ -485,6 +494,8 @@ impl Trainer {
             return (Vec::new(), false);
         }
         let config = chart_config(self.config.beam, self.config.budget);
+        // What is shown by pairs of states alone tells of no task over time.
+        let config = ChartConfig { in_time: self.has_runs, ..config };
         self.kept.read(at, &mut self.model, words, config)
     }
 }
