@@ -197,7 +197,7 @@ pub const RULES: &[Rule] = &[
         },
         meaning: |terms, left, right| terms.bounded(left, right),
         written: bounded,
-        functor: Side::Neither,
+        functor: Side::Beside,
         made: Made::Plainly,
     },
 ];

@@ -4,7 +4,8 @@
 //! deterministic world without pull, and the goal holds in the plan's last state and after. Nothing else in
 //! learning plans (invariant 5).
 
-use crate::domain::{Rules, State, Way};
+use crate::corpus::{Example, Pair};
+use crate::domain::{Rules, State};
 use crate::ground::{Goal, PairId, Side, Task, Validator};
 use crate::logic::{TermId, Terms};
 use crate::mdp::{Budget, Mdp, Outcome, Settings, Solver, StartingAt};
@@ -78,9 +79,20 @@ impl Validation {
         self.validator.pair(pre, post)
     }
 
-    /// Takes in a demonstration, or finds it again.
-    pub fn shown(&mut self, pre: &State, post: &State, way: Option<&Way>) -> PairId {
-        self.validator.shown(pre, post, way)
+    /// Takes in the first so many demonstrations of an example, all where there is no limit, with or without the
+    /// contrasts of runs.
+    pub fn demonstrations(
+        &mut self,
+        example: &Example,
+        most: Option<u32>,
+        contrasts: bool,
+    ) -> Vec<PairId> {
+        let most = most.map_or(usize::MAX, |most| most as usize);
+        let shown = |Pair { pre, post, way }: &Pair| match way {
+            Some(way) if !contrasts => self.validator.shown(pre, post, Some(&way.alone())),
+            way => self.validator.shown(pre, post, way.as_deref()),
+        };
+        example.pairs.iter().take(most).map(shown).collect()
     }
 
     /// Whether a demonstration is a run.

@@ -20,7 +20,7 @@ use crate::ccg::{
     Atom, Category, Derivation, EntryId, Feature, Features, Grammar, MAX_WORDS, Model, Origin,
     Reading, Vector, words,
 };
-use crate::corpus::{Example, Pair};
+use crate::corpus::Example;
 use crate::ground::PairId;
 use crate::logic::TermId;
 use indexmap::IndexMap;
@@ -83,13 +83,7 @@ impl Trainer {
         let has_runs = examples.iter().flat_map(|one| &one.pairs).any(|pair| pair.way.is_some());
         let mut items: IndexMap<Vec<String>, Vec<Vec<PairId>>, FxBuildHasher> = IndexMap::default();
         for example in examples {
-            let n_pairs = config.demonstrations.map_or(usize::MAX, |n| n as usize);
-            let pairs = example.pairs.iter().take(n_pairs);
-            let shown = |Pair { pre, post, way }: &Pair| match way {
-                Some(way) if !config.contrasts => validator.shown(pre, post, Some(&way.alone())),
-                way => validator.shown(pre, post, way.as_deref()),
-            };
-            let pairs = pairs.map(shown).collect();
+            let pairs = validator.demonstrations(example, config.demonstrations, config.contrasts);
             items.entry(words(&example.command)).or_default().push(pairs);
         }
         let items: Vec<Item> =
@@ -396,6 +390,12 @@ impl Trainer {
         }
     }
 
+    /// What pairs of states alone show tells of no task over time.
+    fn chart_config(&self, beam: u32, budget: usize) -> ChartConfig {
+        let in_time = self.has_runs;
+        ChartConfig { beam: beam as usize, budget, in_time, ..ChartConfig::default() }
+    }
+
     /// Lexical generation for a sentence that the lexicon cannot explain: the candidates that the best valid parse
     /// uses become entries.
     pub(super) fn generate(&mut self, at: usize, example: usize, scope: Scope) {
@@ -403,12 +403,10 @@ impl Trainer {
         if !can_parse(words) {
             return;
         }
-        let config = chart_config(self.config.lexical_beam, self.config.lexical_budget);
-        let config = ChartConfig { in_time: self.has_runs, ..config };
+        let config = self.chart_config(self.config.lexical_beam, self.config.lexical_budget);
         let pairs = &self.items[at].examples[example];
         let shows_run = pairs.iter().any(|&pair| self.validator.is_run(pair));
-        let domain = if shows_run { Domain::Runs } else { Domain::States };
-        let may = (scope, domain);
+        let may = (scope, if shows_run { Domain::Runs } else { Domain::States });
         let generated = generate(&mut self.model, words, may, config, &mut self.coarse);
         let is_new = |&id: &EntryId| self.model.lexicon.is_candidate(id);
         if generated.candidates.is_empty() && !generated.empty.iter().flatten().any(is_new) {
@@ -437,6 +435,7 @@ impl Trainer {
     /// A parse with lexicon and candidates. Phrases that denote nothing before the demonstrations, and categories
     /// that lead nowhere, are left out.
     fn parse_with(&mut self, at: usize, example: usize, generated: &Generated) -> Parse {
+        let config = self.chart_config(self.config.beam, self.config.lexical_budget);
         let Item { words, examples } = &self.items[at];
         let pairs = &examples[example];
         let mut items = lexical_items(&self.model, words);
@@ -455,8 +454,6 @@ impl Trainer {
                 && (!(is(Atom::N) || is(Atom::NP))
                     || validator.denotes(&grammar.terms, category.meaning, pairs))
         };
-        let Config { beam, lexical_budget, .. } = self.config;
-        let config = ChartConfig { in_time: self.has_runs, ..chart_config(beam, lexical_budget) };
         fill_knowing(&mut self.model, self.kept.goals(), words, items, admit, config)
     }
 
@@ -493,15 +490,9 @@ impl Trainer {
         if !can_parse(words) {
             return (Vec::new(), false);
         }
-        let config = chart_config(self.config.beam, self.config.budget);
-        // What is shown by pairs of states alone tells of no task over time.
-        let config = ChartConfig { in_time: self.has_runs, ..config };
+        let config = self.chart_config(self.config.beam, self.config.budget);
         self.kept.read(at, &mut self.model, words, config)
     }
-}
-
-fn chart_config(beam: u32, budget: usize) -> ChartConfig {
-    ChartConfig { beam: beam as usize, budget, ..ChartConfig::default() }
 }
 
 fn can_parse(words: &[String]) -> bool {

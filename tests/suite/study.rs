@@ -298,7 +298,7 @@ fn the_command_refuses_in_a_line() {
     std::fs::write(&bad, "task a\n").unwrap();
     let bad = bad.to_str().unwrap();
     for (arguments, expected) in [
-        (&["--pairs", "3"][..], "--tasks FILE|all is missing"),
+        (&["--pairs", "3"][..], "--tasks FILE|all is missing, or --goal FORM"),
         (&["--tasks", "all", "--pairs", "0"], "--pairs 0: use 1 to 100"),
         (&["--tasks", "all", "--pairs", "x"], "cannot parse"),
         (&["--tasks", "all", "--seed", "-1"], "cannot parse"),

@@ -43,6 +43,8 @@ struct Options {
     goal: Option<String>,
     worlds: Option<u64>,
     pairs: Option<usize>,
+    /// What their number was called.
+    shown: &'static str,
     seed: u64,
     json: bool,
     blueprint: Blueprint,
@@ -60,7 +62,10 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
             "seed" => options.seed = arguments.value()?.parse()?,
             "tasks" => options.tasks = Some(arguments.value()?),
             "goal" => options.goal = Some(arguments.value()?.string()?),
-            "pairs" | "runs" => options.pairs = Some(arguments.value()?.parse()?),
+            "pairs" | "runs" => {
+                options.pairs = Some(arguments.value()?.parse()?);
+                options.shown = if name == "runs" { "runs" } else { "pairs" };
+            }
             "json" => options.json = true,
             "worlds" => options.worlds = Some(arguments.value()?.parse()?),
             "style" => blueprint.style = arguments.value()?.parse()?,
@@ -91,7 +96,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
 fn pairs(options: &Options) -> Result<Done, Failure> {
     let n = options.pairs.unwrap_or(3);
     if !(1..=MAX_PAIRS).contains(&n) {
-        return Err(Failure::Usage(format!("--pairs, --runs {n}: use 1 to {MAX_PAIRS}")));
+        return Err(Failure::Usage(format!("--{} {n}: use 1 to {MAX_PAIRS}", options.shown)));
     }
     let (place, tasks) = match (&options.tasks, &options.goal) {
         (Some(file), None) => {

@@ -8,7 +8,7 @@ use groundling::ccg::{
     ChartConfig, EntryId, Hearing, Model, Origin, Trace, any_closed, closed, parse, words,
 };
 use groundling::corpus::{Example, Pair};
-use groundling::learn::genlex::{CoarseCharts, Scope, generate};
+use groundling::learn::genlex::{CoarseCharts, Domain, Scope, generate};
 use groundling::learn::{CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
 use groundling::logic::print_human;
 
@@ -129,7 +129,7 @@ fn generation_has_no_candidate_with_a_closed_word() {
             let generated = generate(
                 &mut model,
                 &words,
-                scope,
+                (scope, Domain::Runs),
                 ChartConfig::default(),
                 &mut CoarseCharts::default(),
             );

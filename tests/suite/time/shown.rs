@@ -117,7 +117,7 @@ fn any_key_of_the_rows_parts_a_corpus() {
         text += &format!("{row}\n");
     }
     let cross = |by: &str| {
-        let options = ["--corpus", "-", "--by", by, "--epochs", "1", "--json"];
+        let options = ["--corpus", "-", "--by", by, "--folds", "2", "--epochs", "1", "--json"];
         call(&[&["experiment", "cross"], &options[..]].concat(), &text)
     };
     let report: Value = serde_json::from_slice(&cross("part").stdout).unwrap();
