@@ -1,13 +1,13 @@
 //! A corpus that is worked on in the engine: files, windows, decisions, splits, training that rests and goes on, what a
 //! model makes of the rows and what it learned.
 
-use super::{SIX, next, only, pump, refused, six};
+use super::{SIX, file, learn, next, only, pump, refused, settings, six};
 use groundling::learn::experiment::By;
 use groundling::learn::sheet::Deed;
 use groundling::worker::protocol::{
     Care, Decision, EntrySort, EntryView, Envelope, Event, Form, Half, Lexicon, MappedFile,
-    Mapping, Outcome, Request, Rule, Rules, SeedLexicon, Settings, SheetReport, Split, Status,
-    VERSION, Verdict, View, Window, decode, encode,
+    Mapping, Outcome, Request, Rule, Rules, Settings, SheetReport, Split, Status, VERSION, Verdict,
+    View, Window, decode, encode,
 };
 use groundling::worker::{Engine, Learner};
 
@@ -25,12 +25,6 @@ fn ask(engine: &mut Engine<Learner>, request: Request) -> Vec<Event> {
         assert!(decode::<Event>(&bytes[..bytes.len() - 1]).is_err());
     }
     events
-}
-
-pub(super) fn file(name: &str, text: &str) -> MappedFile {
-    use groundling::worker::protocol::CorpusFile;
-    let file = CorpusFile { name: name.to_owned(), bytes: text.into() };
-    MappedFile { file, mapping: Mapping::default() }
 }
 
 fn open(engine: &mut Engine<Learner>, files: Vec<MappedFile>) -> SheetReport {
@@ -76,15 +70,6 @@ pub(super) fn sheet() -> Engine<Learner> {
     assert_eq!((report.care.rows, report.care.train, report.care.rejected), (12, 11, 1));
     assert_eq!(report.files.iter().map(|file| file.rows).collect::<Vec<_>>(), [6, 6]);
     engine
-}
-
-fn settings(epochs: u32) -> Box<Settings> {
-    let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
-    Box::new(Settings { lexicon, epochs, ..Settings::default() })
-}
-
-pub(super) fn learn(epochs: u32) -> Request {
-    Request::Learn { settings: settings(epochs), resume: None }
 }
 
 #[test]
