@@ -4,14 +4,17 @@
 
 pub mod words;
 pub mod effect;
+pub mod svg;
 pub mod desk;
 pub mod data;
 pub mod run;
 pub mod experiments;
 pub mod lexicon;
+pub mod kept;
 pub mod action;
 pub mod state;
 pub mod restart;
+pub mod keeping;
 pub mod hear;
 pub mod update;
 #[cfg(target_arch = "wasm32")]

@@ -103,6 +103,11 @@ pub enum Event {
     RowReading(Box<RowReading>),
     /// How the sheet stands.
     Care(Care),
+    /// What was decided of all rows.
+    Decisions {
+        /// A file of JSON, for the same rows.
+        text: String,
+    },
     /// Rows are judged.
     Auditing {
         /// Rows that are.

@@ -194,6 +194,13 @@ pub enum Request {
         /// How.
         split: Split,
     },
+    /// What was decided of all rows → [`Event::Decisions`](super::Event::Decisions).
+    Decisions,
+    /// Decides of all rows what such a text says → [`Event::Care`](super::Event::Care).
+    TakeDecisions {
+        /// The text.
+        text: String,
+    },
     /// Undoes the last change of the sheet → [`Event::Care`](super::Event::Care).
     Undo,
     /// Does again what was undone last → [`Event::Care`](super::Event::Care).
@@ -331,6 +338,8 @@ impl Request {
                 | Request::Decide { .. }
                 | Request::DecideAll { .. }
                 | Request::Divide { .. }
+                | Request::Decisions
+                | Request::TakeDecisions { .. }
                 | Request::Undo
                 | Request::Redo
                 | Request::Mark { .. }

@@ -73,6 +73,39 @@ pub(super) fn sheet() -> Engine<Learner> {
 }
 
 #[test]
+fn what_was_decided_holds_for_the_same_rows_once_more() {
+    let mut engine = sheet();
+    let why = Verdict::Reject("too, \"vague\"".to_owned());
+    care(&mut engine, Request::Decide { rows: vec![2, 3, 5], verdict: why });
+    care(&mut engine, Request::Decide { rows: vec![0], verdict: Verdict::Approve });
+    care(&mut engine, Request::Decide { rows: vec![7], verdict: Verdict::Reopen });
+    care(&mut engine, Request::Decide { rows: vec![8, 9], verdict: Verdict::Put(Half::HeldOut) });
+    let text = |engine: &mut Engine<Learner>| match only(ask(engine, Request::Decisions)) {
+        Event::Decisions { text } => text,
+        other => panic!("{other:?}"),
+    };
+    let (decided, lines) = (text(&mut engine), window(&mut engine, View::default()).lines);
+    let mut other = sheet();
+    assert_ne!(text(&mut other), decided);
+    let after = care(&mut other, Request::TakeDecisions { text: decided.clone() });
+    assert_eq!((after.rejected, after.held_out), (3, 2));
+    assert_eq!(
+        (text(&mut other), window(&mut other, View::default()).lines),
+        (decided.clone(), lines)
+    );
+    for wrong in
+        [&decided.replace("\"8-9\"", "\"8-99\""), "{}", &decided.replacen("corpus", "korpus", 1)]
+    {
+        let said = refused(&mut other, Request::TakeDecisions { text: wrong.to_owned() });
+        assert!(said.starts_with("The decisions cannot be read: "), "{said}");
+    }
+    let mut six = Engine::<Learner>::new();
+    open(&mut six, vec![file("six.csv", SIX)]);
+    let said = refused(&mut six, Request::TakeDecisions { text: decided });
+    assert_eq!(said, "The decisions cannot be read: they are of other rows.");
+}
+
+#[test]
 fn a_window_has_what_its_view_says() {
     let mut engine = sheet();
     let all = window(&mut engine, View::default());
