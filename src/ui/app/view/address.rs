@@ -1,7 +1,7 @@
 //! The address of the page: which view is open stands behind its `#`, or a whole session, packed. Packing is the
 //! browser's own (`CompressionStream`), so that the page need not carry any.
 use crate::ui::app::action::{Action, View};
-use crate::ui::page::view::host;
+use crate::ui::page::view::{forms, host};
 use crate::ui::talk;
 use crate::ui::talk::share::session::LONGEST_LINK;
 use crate::ui::talk::share::state::Link;
@@ -59,7 +59,7 @@ fn read(act: &Callback<Action>) {
         act.emit(Action::Linked(hash.trim_start_matches('#').to_owned()));
         let (packed, act) = (packed.to_owned(), act.clone());
         spawn_local(
-            async move { act.emit(Action::Talk(talk::Action::Open(unpack(&packed).await))) },
+            async move { act.emit(Action::Talk(talk::Action::Open(opened(&packed).await))) },
         );
     } else if let Some(said) = hash.strip_prefix("#say=") {
         // Said once: the browser comes back to the talk, and not to this.
@@ -72,10 +72,10 @@ fn read(act: &Callback<Action>) {
     }
 }
 
-/// Makes a link that holds a text, puts it into the address bar and onto the clipboard.
-pub(super) fn share(text: String, act: Callback<Action>) {
+/// Makes a link that holds a session, puts it into the address bar and onto the clipboard.
+pub(super) fn share(packed: Vec<u8>, act: Callback<Action>) {
     spawn_local(async move {
-        let link = match link(&text).await {
+        let link = match made(&packed).await {
             Ok(address) => {
                 let copied = host::copy(&address).await;
                 Ok(Link { address, copied })
@@ -84,6 +84,10 @@ pub(super) fn share(text: String, act: Callback<Action>) {
         };
         act.emit(Action::Talk(talk::Action::Shared(link)));
     });
+}
+
+async fn made(session: &[u8]) -> Result<String, String> {
+    link(&forms::forms().await?.write_session(session)).await
 }
 
 async fn link(text: &str) -> Result<String, String> {
@@ -118,6 +122,10 @@ async fn pack(window: &Window, text: &str) -> Result<String, JsValue> {
     let letters: String = bytes.to_vec().into_iter().map(char::from).collect();
     let letters = window.btoa(&letters)?;
     Ok(letters.replace('+', "-").replace('/', "_").trim_end_matches('=').to_owned())
+}
+
+async fn opened(packed: &str) -> Result<Vec<u8>, String> {
+    forms::session(unpack(packed).await?).await
 }
 
 async fn unpack(packed: &str) -> Result<String, String> {
