@@ -1,6 +1,5 @@
 //! The address of the page: which view is open stands behind its `#`, or a whole session, packed. Packing is the
 //! browser's own (`CompressionStream`), so that the page need not carry any.
-
 use crate::ui::app::action::{Action, View};
 use crate::ui::page::view::host;
 use crate::ui::talk;
