@@ -11,6 +11,7 @@ use super::protocol::{
     TrainSettings,
 };
 use super::shard;
+use super::study;
 use super::talker::report;
 use super::training::Training;
 use crate::ccg::{EntryText, Model};
@@ -47,6 +48,7 @@ impl Role for Learner {
             Request::Learn { settings, resume } => self.learn(&settings, resume.as_deref()),
             Request::Audit { model, rules } => self.audit(model.as_deref(), rules),
             Request::RunShard { plan, runs } => shard::run(&self.sheet, &plan, runs),
+            Request::Study(ask) => study::begin(ask),
             Request::Teach { model, examples } => teach(&model, examples),
             Request::Experiment { experiment, settings } => {
                 let lexicon = SeedLexicon::Domain;

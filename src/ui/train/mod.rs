@@ -9,6 +9,7 @@ pub mod data;
 pub mod run;
 pub mod experiments;
 pub mod lexicon;
+pub mod study;
 pub mod action;
 pub mod state;
 pub mod restart;

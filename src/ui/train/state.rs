@@ -2,7 +2,7 @@
 
 use super::action::Tab;
 use super::desk::Desk;
-use super::{data, experiments, lexicon, run};
+use super::{data, experiments, lexicon, run, study};
 use crate::worker::protocol::Confused;
 
 /// All that the workbench knows.
@@ -22,6 +22,8 @@ pub struct State {
     pub experiments: experiments::State,
     /// What was learned.
     pub lexicon: lexicon::State,
+    /// Studies.
+    pub study: study::State,
 }
 
 impl State {

@@ -5,12 +5,12 @@ use super::effect::Effect;
 use super::restart::restart;
 use super::run::update::Ground;
 use super::state::State;
-use super::{data, experiments, hear, lexicon, run};
+use super::{data, experiments, hear, lexicon, run, study};
 use crate::ui::page::engines;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
-    let State { desk, shown, tab, data, run, experiments, lexicon } = state;
+    let State { desk, shown, tab, data, run, experiments, lexicon, study } = state;
     match action {
         Action::Data(action) => {
             if data::update::update(data, desk, action) {
@@ -29,6 +29,12 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             experiments::update::update(experiments, desk, action, settings);
         }
         Action::Lexicon(action) => lexicon::update::update(lexicon, desk, action),
+        Action::Study(action) => {
+            if let Some(corpus) = study::update::update(study, desk, action) {
+                data::update::update(data, desk, data::Action::Offered(vec![corpus]));
+                *tab = Tab::Data;
+            }
+        }
 
         Action::Turn(to) => {
             *tab = to;

@@ -4,6 +4,7 @@ use super::learning::{CorpusFile, Experiment, Lesson, TrainSettings};
 use super::message::Program;
 use super::planning::WorldRules;
 use super::sheet::{Form, MappedFile, Split};
+use super::study::StudyAsk;
 use crate::domain::{Blueprint, State};
 use crate::learn::inspect::EntryView;
 use crate::learn::runs::Matrix;
@@ -302,6 +303,8 @@ pub enum Request {
     StepExample,
     /// What rests goes on to the end of an epoch → as for `Pause`.
     StepEpoch,
+    /// Something is to be done about a study → [`Event::Study`](super::Event::Study).
+    Study(StudyAsk),
 }
 
 impl Request {
@@ -338,6 +341,7 @@ impl Request {
             | Request::JoinRuns { .. }
             | Request::Entries { .. }
             | Request::Without { .. }
+            | Request::Study(_)
             | Request::Compare { .. } => Some(Program::Learner),
             Request::OpenModel { .. }
             | Request::Words { .. }

@@ -16,5 +16,6 @@ pub mod picture;
 pub mod store;
 pub mod claim;
 pub mod module;
+pub mod packed;
 pub mod keeper;
 pub mod foot;

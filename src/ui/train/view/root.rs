@@ -15,6 +15,7 @@ use crate::ui::train::lexicon::view::panel as lexicon_panel;
 use crate::ui::train::run::state::can_train;
 use crate::ui::train::run::view::panel as run_panel;
 use crate::ui::train::state::State;
+use crate::ui::train::study::view::panel as study_panel;
 use crate::ui::train::update::reduce;
 use js_sys::Function;
 use web_sys::{DragEvent, Element, File};
@@ -65,6 +66,10 @@ impl Component for Workbench {
         let act = ctx.link().callback(Message::Bench);
         act.emit(Action::Prefers(host::preferences()));
         host::watch_preferences(&act.reform(Action::Prefers));
+        let address = web_sys::window().and_then(|window| window.location().hash().ok());
+        if address.as_deref() == Some("#study") {
+            act.emit(Action::Turn(Tab::Study));
+        }
         let effects = Effects::new(act, ctx.props().tell.clone());
         Workbench { state: State::default(), effects, dragging: false }
     }
@@ -83,7 +88,7 @@ impl Component for Workbench {
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let State { desk, shown, tab, data, run, experiments, lexicon } = &self.state;
+        let State { desk, shown, tab, data, run, experiments, lexicon, study } = &self.state;
         if !shown {
             return Html::default();
         }
@@ -116,6 +121,7 @@ impl Component for Workbench {
                             Tab::Run => run_panel(run, desk, data.commands(), &act.reform(Action::Run), &offer),
                             Tab::Experiments => experiments_panel(experiments, desk, data.held_out(),
                                 can_train(desk, data.commands()), &act.reform(Action::Experiments)),
+                            Tab::Study => study_panel(study, desk, &act.reform(Action::Study)),
                             Tab::Lexicon => lexicon_panel(lexicon, desk, self.state.confused(), &act.reform(Action::Lexicon)),
                         } }
                     </div>

@@ -11,5 +11,6 @@ pub(super) static GERMAN: Text = Text {
         Tab::Run => "Trainieren",
         Tab::Experiments => "Versuche",
         Tab::Lexicon => "Gelerntes",
+        Tab::Study => "Studien",
     },
 };
