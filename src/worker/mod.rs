@@ -12,7 +12,7 @@ mod examples;
 pub mod job;
 mod talker;
 mod progress;
-mod experiment;
+mod demonstration;
 mod lesson;
 mod training;
 mod learner;

@@ -24,6 +24,8 @@ mod teach;
 mod text;
 #[path = "ui/bench.rs"]
 mod bench;
+#[path = "ui/shelf.rs"]
+mod shelf;
 #[path = "ui/train.rs"]
 mod train;
 

@@ -16,10 +16,9 @@ mod beyond;
 pub use beyond::{Beyond, beyond, lost};
 pub use event::Event;
 pub use learning::{
-    Check, Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport,
-    Figures, Fit, Judgement, Lesson, MOST_TAUGHT, Meaning, PairText, Problem, Progress, Refusal,
-    RowSummary, RunPart, RunReport, TaskFigures, TeachReport, Told, TrainReport, TrainSettings,
-    What,
+    Check, Confused, CorpusFile, Demonstrated, ExperimentProgress, Figures, Fit, Judgement, Lesson,
+    MOST_TAUGHT, Meaning, PairText, Progress, Refusal, RunPart, RunReport, TaskFigures,
+    TeachReport, Told, TrainReport, What,
 };
 pub use message::{Envelope, Program, VERSION};
 pub use planning::{

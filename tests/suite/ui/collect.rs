@@ -24,8 +24,13 @@ struct Person {
 
 impl Person {
     fn comes(study: &Study, link: &str, source: Source) -> Person {
-        let mut person =
-            Person { state: State::default(), kept: Vec::new(), over: None, fault: None, wanted: Vec::new() };
+        let mut person = Person {
+            state: State::default(),
+            kept: Vec::new(),
+            over: None,
+            fault: None,
+            wanted: Vec::new(),
+        };
         person.visits(study, link, source);
         person
     }
@@ -80,7 +85,10 @@ impl Person {
     }
 
     fn posts(&self) -> usize {
-        self.wanted.iter().filter(|effect| matches!(effect, Effect::Post { .. } | Effect::Submit { .. })).count()
+        self.wanted
+            .iter()
+            .filter(|effect| matches!(effect, Effect::Post { .. } | Effect::Submit { .. }))
+            .count()
     }
 }
 
@@ -116,7 +124,9 @@ fn a_person_takes_part_and_nothing_stays_but_the_code() {
     person.act(Action::End);
     person.act(Action::Ended);
     person.act(Action::End);
-    assert!(matches!(person.wanted.last(), Some(Effect::Save { name, .. }) if name.ends_with(".jsonl")));
+    assert!(
+        matches!(person.wanted.last(), Some(Effect::Save { name, .. }) if name.ends_with(".jsonl"))
+    );
     person.act(Action::Ended);
     let code = person.over.clone().unwrap();
     assert_eq!((person.kept.len(), code.len()), (0, 8));
@@ -146,7 +156,11 @@ fn what_was_typed_and_answered_is_there_again() {
 fn a_visit_that_was_broken_off_is_as_the_study_says() {
     use groundling::study::file::Again;
     let mut study = study(vec![End::File]);
-    for (again, wanted) in [(Again::Refuse, Stage::Refused), (Again::Restart, Stage::Welcome), (Again::Resume, Stage::Turn(1))] {
+    for (again, wanted) in [
+        (Again::Refuse, Stage::Refused),
+        (Again::Restart, Stage::Welcome),
+        (Again::Resume, Stage::Turn(1)),
+    ] {
         study.again = again;
         let mut person = Person::comes(&study, "", Source::Hosted);
         person.begins();
@@ -174,7 +188,9 @@ fn an_answer_that_follows_a_note_on_its_way_waits_for_it() {
     assert!(matches!(&first[..], [Effect::Keep { place: 2, .. }]));
     assert_eq!(reduce(state, Action::Answer, 2.0), [], "the first is on its way");
     let second = reduce(state, Action::Noted(Ok(())), 3.0);
-    assert!(matches!(&second[..], [Effect::Keep { place: 3, note, .. }] if matches!(**note, Note::Answered { turn: 0, .. })));
+    assert!(
+        matches!(&second[..], [Effect::Keep { place: 3, note, .. }] if matches!(**note, Note::Answered { turn: 0, .. }))
+    );
     reduce(state, Action::Noted(Ok(())), 4.0);
     assert_eq!(state.stage(), Stage::Turn(1));
 }
@@ -220,7 +236,11 @@ fn what_does_not_arrive_is_tried_again_and_sent_once() {
     assert_eq!(person.state.stage(), Stage::End(1));
     person.visits(&study, "", Source::Hosted);
     assert_eq!((person.state.stage(), person.posts()), (Stage::End(1), 0));
-    assert_eq!(Person::comes(&study, "", Source::Hosted).posts(), 0, "nothing before there are answers");
+    assert_eq!(
+        Person::comes(&study, "", Source::Hosted).posts(),
+        0,
+        "nothing before there are answers"
+    );
 }
 
 #[test]
@@ -230,7 +250,11 @@ fn nothing_is_posted_where_it_may_not_be() {
         let study = study(ends);
         for (link, source, refusal) in [
             ("", Source::Linked, None),
-            ("?simulate=1&turkSubmitTo=https%3A%2F%2Fpanel.example", Source::Hosted, Some(Refusal::Simulated)),
+            (
+                "?simulate=1&turkSubmitTo=https%3A%2F%2Fpanel.example",
+                Source::Hosted,
+                Some(Refusal::Simulated),
+            ),
         ] {
             let mut person = Person::comes(&study, link, source);
             person.begins();
@@ -240,11 +264,18 @@ fn nothing_is_posted_where_it_may_not_be() {
             person.act(Action::Again);
             assert_eq!(person.posts(), 0, "{link}");
             let found = person.state.ending.refusal.clone();
-            assert!(found.is_some() && refusal.is_none_or(|refusal| found == Some(refusal)), "{link}");
+            assert!(
+                found.is_some() && refusal.is_none_or(|refusal| found == Some(refusal)),
+                "{link}"
+            );
             person.act(Action::Save);
             assert!(matches!(person.wanted.last(), Some(Effect::Save { .. })));
         }
-        let mut person = Person::comes(&study, "?preview&turkSubmitTo=https%3A%2F%2Fpanel.example", Source::Hosted);
+        let mut person = Person::comes(
+            &study,
+            "?preview&turkSubmitTo=https%3A%2F%2Fpanel.example",
+            Source::Hosted,
+        );
         person.begins();
         person.says("one");
         person.says("two");
@@ -264,7 +295,9 @@ fn a_form_leaves_once_that_is_kept_and_can_be_sent_again() {
     person.says("two");
     person.act(Action::End);
     assert!(matches!(person.kept.last(), Some(Note::Handed { end: 0 })));
-    let Some(Effect::Submit { url, fields }) = person.wanted.last() else { panic!("{:?}", person.wanted) };
+    let Some(Effect::Submit { url, fields }) = person.wanted.last() else {
+        panic!("{:?}", person.wanted)
+    };
     assert_eq!(url, "https://panel.example/mturk/externalSubmit");
     assert!(fields.contains(&("assignmentId".into(), "3Z".into())));
     person.visits(&study, link, Source::Hosted);
@@ -293,7 +326,11 @@ fn who_withdraws_leaves_nothing() {
 #[test]
 fn a_link_without_a_study_is_trouble() {
     let mut state = State::default();
-    let wanted = reduce(&mut state, Action::Opened(Box::new(Link::of("?study=https://a.example/x")), Language::German), 0.0);
+    let wanted = reduce(
+        &mut state,
+        Action::Opened(Box::new(Link::of("?study=https://a.example/x")), Language::German),
+        0.0,
+    );
     assert_eq!((wanted.len(), &state.trouble), (0, &Some(Trouble::Elsewhere)));
     let mut state = State::default();
     let wanted = reduce(&mut state, Action::Opened(Box::new(Link::of("")), Language::German), 0.0);

@@ -1,5 +1,4 @@
 //! Carries effects out: the workers, timers, downloads, links, and the workbench.
-
 use super::address;
 use super::bench::Link;
 use crate::ui::app::action::Action;

@@ -7,6 +7,7 @@ pub mod save;
 pub mod worker;
 pub mod stopped;
 pub mod files;
+pub mod sends;
 pub mod sign;
 pub mod select;
 pub mod fields;

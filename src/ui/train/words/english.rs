@@ -12,5 +12,6 @@ pub(super) static ENGLISH: Text = Text {
         Tab::Experiments => "Experiments",
         Tab::Lexicon => "What it learned",
         Tab::Study => "Studies",
+        Tab::Kept => "Kept",
     },
 };

@@ -12,5 +12,6 @@ pub(super) static GERMAN: Text = Text {
         Tab::Experiments => "Versuche",
         Tab::Lexicon => "Gelerntes",
         Tab::Study => "Studien",
+        Tab::Kept => "Aufbewahrt",
     },
 };
