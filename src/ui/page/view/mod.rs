@@ -18,5 +18,6 @@ pub mod store;
 pub mod claim;
 pub mod module;
 pub mod forms;
+pub mod packed;
 pub mod keeper;
 pub mod foot;
