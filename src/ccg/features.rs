@@ -391,6 +391,8 @@ impl Occurring<'_> {
         let Node::Apply { args, .. } = self.terms.node(term) else { return None };
         match *args {
             [_, reach, _] if self.terms.ty(term) == ty::RUN => self.subject(reach),
+            // What begins to be forbidden after a step is no next step.
+            _ if self.terms.ty(term) == ty::RUN => None,
             [first, ..] if self.terms.ty(first) == ty::ENTITY => self.head(first),
             _ => args.iter().find_map(|&arg| self.subject(arg)),
         }

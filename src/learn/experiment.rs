@@ -12,7 +12,6 @@ use super::trainer::Trainer;
 use crate::ccg::{ChartConfig, Model, words};
 use crate::corpus::{Example, Fold, folds};
 use serde::{Deserialize, Serialize};
-use std::collections::VecDeque;
 use std::sync::Arc;
 
 /// Some rows of a corpus; a corpus is shared between the runs that use it.
@@ -32,14 +31,6 @@ impl Selection {
     /// The rows with these indices; those that there are.
     pub fn of(corpus: &Arc<[Example]>, rows: Vec<u32>) -> Self {
         Selection { corpus: corpus.clone(), rows: Some(rows) }
-    }
-
-    /// The rows as a corpus of their own, which is the same one for all of them.
-    pub fn into_shared(self) -> Arc<[Example]> {
-        match self.rows {
-            None => self.corpus,
-            Some(_) => self.examples().into(),
-        }
     }
 
     /// The number of rows.
@@ -188,46 +179,6 @@ impl Running {
                 Some(Event::Ended { outcome, model })
             }
             Stage::Over => None,
-        }
-    }
-}
-
-/// Runs, one after the other.
-pub struct Experiment {
-    seed: Model,
-    waiting: VecDeque<Run>,
-    running: Option<Running>,
-    at: usize,
-}
-
-impl Experiment {
-    /// An experiment that begins; every run starts from `seed`.
-    pub fn new(seed: Model, runs: Vec<Run>) -> Self {
-        Experiment { seed, waiting: runs.into(), running: None, at: 0 }
-    }
-
-    /// Whether there is nothing left to do.
-    pub fn is_over(&self) -> bool {
-        self.waiting.is_empty() && self.running.is_none()
-    }
-
-    /// Does a bounded part, and says what there is to say of it and of which run, from 0.
-    pub fn step(&mut self) -> Option<(usize, Event)> {
-        match &mut self.running {
-            None => {
-                let run = self.waiting.pop_front()?;
-                self.running = Some(Running::new(run, self.seed.clone()));
-                None
-            }
-            Some(running) => {
-                let event = running.step()?;
-                let at = self.at;
-                if running.is_over() {
-                    self.running = None;
-                    self.at += 1;
-                }
-                Some((at, event))
-            }
         }
     }
 }

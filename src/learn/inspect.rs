@@ -70,6 +70,8 @@ pub struct EntryWindow {
     pub lines: Vec<EntryLine>,
     /// Whole commands with a meaning of their own, of the whole model.
     pub idioms: Vec<(String, String)>,
+    /// What some of the rows say that the lines name.
+    pub sentences: Vec<(u32, String)>,
 }
 
 /// For entries that were learned the command that each came from.
@@ -134,6 +136,7 @@ pub fn entries(
         (words.join(" "), print(&model.grammar.terms, goal))
     });
     EntryWindow {
+        sentences: Vec::new(),
         total,
         offset,
         lines: found.into_iter().skip(offset as usize).take(count).collect(),

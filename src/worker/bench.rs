@@ -12,9 +12,12 @@ use crate::corpus::{Example, Pair, jsonl, preview, share, table};
 use crate::ground::{PairId, Validator};
 use crate::learn::audit::Rows;
 use crate::learn::inspect::{EntryView, difference, entries, without};
-use crate::learn::sheet::{Half, Sheet};
+use crate::learn::sheet::{Half, Sheet, decided};
 use crate::logic::read as read_term;
 use std::io::Cursor;
+
+/// Sentences that are told of an entry.
+const MOST_SENTENCES: usize = 2;
 
 impl Learner {
     /// Answers a request that is its own and replaces nothing.
@@ -42,6 +45,12 @@ impl Learner {
             Request::Divide { split } => {
                 let halves = halves(sheet, &split)?;
                 Event::Care(sheet.divide(&halves))
+            }
+            Request::Decisions => Event::Decisions { text: decided::write(sheet) },
+            Request::TakeDecisions { text } => {
+                decided::take(sheet, &text)
+                    .map_err(|wrong| format!("The decisions cannot be read: {wrong}."))?;
+                Event::Care(sheet.care(None))
             }
             Request::Undo => Event::Care(sheet.turn(true)),
             Request::Redo => Event::Care(sheet.turn(false)),
@@ -100,10 +109,17 @@ impl Learner {
     fn entries(&mut self, view: &EntryView, offset: u32, count: u32) -> Result<Event, String> {
         let origins = self.training.as_ref().map(Training::origins).unwrap_or_default();
         let asked = (view, offset, count);
-        let window = match &self.audit {
+        let mut window = match &self.audit {
             Some(audit) => entries(audit.model(), asked, &origins, |id| audit.uses(id)),
             None => entries(&self.model()?, asked, &origins, |_| Rows::default()),
         };
+        let named =
+            window.lines.iter().flat_map(|line| line.uses.first.iter().take(MOST_SENTENCES));
+        let mut rows: Vec<u32> = named.copied().collect();
+        rows.sort_unstable();
+        rows.dedup();
+        let said = |row: u32| Some((row, self.sheet.examples().get(row as usize)?.command.clone()));
+        window.sentences = rows.into_iter().filter_map(said).collect();
         Ok(Event::Entries(Box::new(window)))
     }
 

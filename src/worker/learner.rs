@@ -1,16 +1,16 @@
 //! The program that learns: reads corpora, trains, teaches, runs experiments. The page loads it when there is something
 //! to be learned; what it learns goes to the talker as a model file.
 
-use super::experiment::Experimenting;
+use super::demonstration::Demonstrating;
 use super::job::{Job, Rest, Role, Step, misdirected};
 use super::lesson::{check, is_meant, mean, told};
 use super::progress::{CorpusReading, Read};
 use super::protocol::{
-    CorpusFile, CorpusReport, Event, FileReport, Lesson, Lexicon, MOST_TAUGHT, MappedFile, Mapping,
-    PairText, Program, Request, RowSummary, Rules, SeedLexicon, Settings, SheetReport, TeachReport,
-    TrainSettings,
+    Event, FileReport, Lesson, MOST_TAUGHT, MappedFile, PairText, Program, Request, Rules,
+    Settings, SheetReport, TeachReport,
 };
 use super::shard;
+use super::study;
 use super::talker::report;
 use super::training::Training;
 use crate::ccg::{EntryText, Model};
@@ -39,20 +39,18 @@ impl Role for Learner {
     const PROGRAM: Program = Program::Learner;
 
     fn begin(&mut self, request: Request) -> Result<Job<Learner>, String> {
-        self.is_training = matches!(request, Request::Train { .. } | Request::Learn { .. });
+        self.is_training = matches!(request, Request::Learn { .. });
         match request {
-            Request::ReadCorpus { files, with_rejected } => Ok(read_corpus(files, with_rejected)),
             Request::OpenSheet { files, with_rejected } => Ok(open_sheet(files, with_rejected)),
-            Request::Train { lexicon, settings } => self.learn(&all_of(lexicon, settings), None),
             Request::Learn { settings, resume } => self.learn(&settings, resume.as_deref()),
             Request::Audit { model, rules } => self.audit(model.as_deref(), rules),
             Request::RunShard { plan, runs } => shard::run(&self.sheet, &plan, runs),
+            Request::Study(ask) => study::begin(ask),
             Request::Teach { model, examples } => teach(&model, examples),
-            Request::Experiment { experiment, settings } => {
-                let lexicon = SeedLexicon::Domain;
-                let config = self.config(&all_of(lexicon, settings))?;
-                let corpus = self.selection(Half::Train);
-                let mut work = Experimenting::new(experiment, corpus, config)?;
+            Request::Demonstrate { command, state, settings } => {
+                let config = self.config(&settings)?;
+                let (seed, corpus) = (settings.seed_model()?, self.selection(Half::Train));
+                let mut work = Demonstrating::new(command, state, (seed, corpus, config));
                 Ok(Box::new(move |_| work.step()))
             }
             other => Err(misdirected(&other, Self::PROGRAM)),
@@ -152,23 +150,11 @@ impl Learner {
     }
 }
 
-/// The settings of a run that differs from the paper's in these.
-fn all_of(lexicon: SeedLexicon, settings: TrainSettings) -> Settings {
-    let TrainSettings { epochs, beam, lexical_beam, demonstrations, seed } = settings;
-    let lexicon = Lexicon::Here(lexicon);
-    Settings { lexicon, epochs, beam, lexical_beam, demonstrations, seed, ..Settings::default() }
-}
-
-/// Reads files; what came of them is told by `report`.
-fn read(
-    files: Vec<MappedFile>,
-    with_rejected: bool,
-    mut report: impl FnMut(&mut Learner, Read) -> Event + 'static,
-) -> Job<Learner> {
-    let mut reading = CorpusReading::new(files, with_rejected);
+fn open_sheet(files: Vec<MappedFile>, with_rejected: bool) -> Job<Learner> {
+    let mut reading = CorpusReading::new(files);
     let mut told = 0;
     Box::new(move |learner| match reading.step() {
-        Some(read) => Step::Over(report(learner, read)),
+        Some(read) => Step::Over(opened(learner, read, with_rejected)),
         None => {
             let (done, of) = reading.progress();
             let is_news = std::mem::replace(&mut told, done) < done && done < of;
@@ -177,41 +163,22 @@ fn read(
     })
 }
 
-fn read_corpus(files: Vec<CorpusFile>, with_rejected: bool) -> Job<Learner> {
-    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
-    let (name, n_files) = (names.join(", "), files.len());
-    let unmapped = |file| MappedFile { file, mapping: Mapping::default() };
-    let files = files.into_iter().map(unmapped).collect();
-    read(files, with_rejected, move |learner, read| {
-        let rows = read.examples.iter().map(|example| RowSummary {
-            command: example.command.clone(),
-            task: example.task.clone(),
-            pairs: example.pairs.len(),
-        });
-        let rows = rows.collect();
-        let (rejected, left_out, problems) = (read.rejected, read.left_out, read.problems(n_files));
-        learner.keep(read, with_rejected);
-        Event::Corpus(CorpusReport { name: name.clone(), rows, rejected, left_out, problems })
-    })
-}
-
-fn open_sheet(files: Vec<MappedFile>, with_rejected: bool) -> Job<Learner> {
-    read(files, true, move |learner, read| {
-        let files = read.sources.iter().zip(&read.useless);
-        let files = files.map(|(source, useless)| FileReport {
-            name: source.name.clone(),
-            rows: source.rows as u32,
-            left_out: source.left_out as u32,
-            bad_rows: source.bad.kept as u32,
-            mapping: source.mapping.clone(),
-            useless: useless.clone(),
-        });
-        let (files, faults) = (files.collect(), read.faults());
-        learner.keep(read, with_rejected);
-        let care = learner.sheet.care(None);
-        let corpus = fingerprint(learner.sheet.examples());
-        Event::Sheet(Box::new(SheetReport { files, faults, care, corpus }))
-    })
+/// Files were read: they are the sheet, if they have rows.
+fn opened(learner: &mut Learner, read: Read, with_rejected: bool) -> Event {
+    let files = read.sources.iter().zip(&read.useless);
+    let files = files.map(|(source, useless)| FileReport {
+        name: source.name.clone(),
+        rows: source.rows as u32,
+        left_out: source.left_out as u32,
+        bad_rows: source.bad.kept as u32,
+        mapping: source.mapping.clone(),
+        useless: useless.clone(),
+    });
+    let (files, faults) = (files.collect(), read.faults());
+    learner.keep(read, with_rejected);
+    let care = learner.sheet.care(None);
+    let corpus = fingerprint(learner.sheet.examples());
+    Event::Sheet(Box::new(SheetReport { files, faults, care, corpus }))
 }
 
 fn teach(model: &str, lessons: Vec<Lesson>) -> Result<Job<Learner>, String> {

@@ -12,11 +12,12 @@ mod examples;
 pub mod job;
 mod talker;
 mod progress;
-mod experiment;
+mod demonstration;
 mod lesson;
 mod training;
 mod learner;
 mod shard;
+mod study;
 mod bench;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;

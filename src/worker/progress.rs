@@ -1,6 +1,6 @@
 //! Long work of the learner, and how far it is: files that are read in bounded steps, a training run.
 
-use super::protocol::{CorpusFile, Fault, MappedFile, Problem, Progress};
+use super::protocol::{CorpusFile, Fault, MappedFile, Progress};
 use crate::corpus::{Corpus, Example, Flaw, Options, Reading};
 use crate::learn;
 use crate::learn::sheet::Source;
@@ -10,7 +10,6 @@ use std::io::Cursor;
 pub(super) struct CorpusReading {
     waiting: std::vec::IntoIter<MappedFile>,
     now: Option<(Source, Reading<Cursor<Vec<u8>>>)>,
-    with_rejected: bool,
     /// Bytes of the files that are read, and of all.
     done: u64,
     of: u64,
@@ -26,20 +25,17 @@ pub(super) struct Read {
     pub(super) sources: Vec<Source>,
     /// For each why no row of it can be used.
     pub(super) useless: Vec<Option<String>>,
-    pub(super) rejected: usize,
-    pub(super) left_out: usize,
     /// What is wrong or odd, with the number of its file.
     pub(super) flaws: Vec<(u32, Flaw)>,
 }
 
 impl CorpusReading {
     /// The beginning of some files.
-    pub(super) fn new(files: Vec<MappedFile>, with_rejected: bool) -> Self {
+    pub(super) fn new(files: Vec<MappedFile>) -> Self {
         CorpusReading {
             of: files.iter().map(|mapped| mapped.file.bytes.len() as u64).sum(),
             waiting: files.into_iter(),
             now: None,
-            with_rejected,
             done: 0,
             read: Read::default(),
         }
@@ -70,8 +66,8 @@ impl CorpusReading {
                 else {
                     return Some(std::mem::take(&mut self.read));
                 };
-                let with_rejected = self.with_rejected;
-                let options = Options { with_rejected, mapping: mapping.clone() };
+                // Rejected rows are shown too: whether they are used is the sheet's matter.
+                let options = Options { with_rejected: true, mapping: mapping.clone() };
                 let source = Source { name, mapping, ..Source::default() };
                 match Reading::new(Cursor::new(bytes), options) {
                     Ok(reading) => {
@@ -101,34 +97,17 @@ impl CorpusReading {
             bad: corpus.bad,
             ..source
         });
-        self.read.rejected += corpus.rejected;
-        self.read.left_out += corpus.left_out;
         self.read.examples.extend(corpus.examples);
         is_bad.then(|| {
             let mut read = std::mem::take(&mut self.read);
             read.examples = Vec::new();
-            // Counted are those of the file that ended it.
-            (read.rejected, read.left_out) = (corpus.rejected, corpus.left_out);
             read
         })
     }
 }
 
 impl Read {
-    /// What is wrong with the rows, for the page: with its file, where there are several.
-    pub(super) fn problems(&self, n_files: usize) -> Vec<Problem> {
-        let problem = |(file, Flaw { line, column, wrong, kept }): &(u32, Flaw)| {
-            let name = self.sources.get(*file as usize).filter(|_| n_files > 1);
-            let message = match name {
-                Some(source) => format!("{}: {wrong}", source.name),
-                None => wrong.to_string(),
-            };
-            Problem { line: *line, column: column.clone(), message, kept: *kept }
-        };
-        self.flaws.iter().map(problem).collect()
-    }
-
-    /// The same in parts.
+    /// What is wrong with the rows, for the page.
     pub(super) fn faults(&self) -> Vec<Fault> {
         let fault = |(file, Flaw { line, column, wrong, kept }): &(u32, Flaw)| Fault {
             file: *file,

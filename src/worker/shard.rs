@@ -1,6 +1,6 @@
 //! Runs of a plan in the engine: planned on the sheet as it is parted, some of them run, the results of all joined.
 
-use super::experiment::judgement;
+use super::demonstration::judgement;
 use super::job::{Job, Step};
 use super::progress::progress;
 use super::protocol::{Event, ExperimentProgress, Joined, Matrix, RunPart, RunReport, Settings};

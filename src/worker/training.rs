@@ -1,7 +1,7 @@
 //! A training run in the engine: it learns example by example, is judged on what is held out after every epoch, and can
 //! be looked at, stopped and gone on with from a checkpoint at any time.
 
-use super::experiment::judgement;
+use super::demonstration::judgement;
 use super::job::{Rest, Step};
 use super::progress::progress;
 use super::protocol::{Checkpoint, Event};

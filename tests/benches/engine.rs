@@ -24,7 +24,8 @@ use groundling::plan::AStar;
 use groundling::render::{Arrow, Options, Scene};
 use groundling::worker::job::Role;
 use groundling::worker::protocol::{
-    CorpusFile, Event, Request, SeedLexicon, TrainSettings, WorldRules,
+    CorpusFile, Event, Lexicon, MappedFile, Mapping, Request, SeedLexicon, Settings as Learning,
+    WorldRules,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use std::hint::black_box;
@@ -35,8 +36,12 @@ const NINE: &str = include_str!("worlds/nine.json");
 const SHIPPED: &str = include_str!("../../assets/model/cleanup.model");
 /// The six sentences of the demonstration, and the paper's settings.
 const SIX: &str = include_str!("../../assets/corpus/six.csv");
-const SETTINGS: TrainSettings =
-    TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
+/// Training as in the paper's Section VII.
+fn train() -> Request {
+    let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
+    let settings = Box::new(Learning { lexicon, ..Learning::default() });
+    Request::Learn { settings, resume: None }
+}
 
 /// The reference system on the six sentences, in CPU seconds.
 const REFERENCE_SIX: f64 = 41.0;
@@ -124,15 +129,15 @@ fn watched() -> Options {
 fn learner() -> Engine<Learner> {
     let mut engine = Engine::new();
     let name = "six.csv".to_owned();
-    let files = vec![CorpusFile { name, bytes: SIX.into() }];
-    pump(&mut engine, Request::ReadCorpus { files, with_rejected: false });
+    let file = CorpusFile { name, bytes: SIX.into() };
+    let files = vec![MappedFile { file, mapping: Mapping::default() }];
+    pump(&mut engine, Request::OpenSheet { files, with_rejected: false });
     engine
 }
 
 /// The model that a new engine learns from the six sentences.
 fn trained() -> String {
-    let train = Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS };
-    match pump(&mut learner(), train) {
+    match pump(&mut learner(), train()) {
         Some(Event::Trained(report)) => report.model,
         other => panic!("no model: {other:?}"),
     }
@@ -141,7 +146,7 @@ fn trained() -> String {
 /// What each step of training costs, in seconds.
 fn steps() -> Vec<f64> {
     let mut engine = learner();
-    engine.start(1, Request::Train { lexicon: SeedLexicon::Demonstration, settings: SETTINGS });
+    engine.start(1, train());
     let mut steps = Vec::new();
     while engine.busy() {
         steps.push(seconds(|| {

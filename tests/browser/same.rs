@@ -11,7 +11,8 @@ use groundling::mdp::{Mdp, RolloutSettings, Rollouts, Settings, Solver, Starting
 use groundling::plan::{AnySolver, Auto, SOLVERS};
 use groundling::worker::job::Role;
 use groundling::worker::protocol::{
-    CorpusFile, Event, Request, SeedLexicon, TrainSettings, WorldRules,
+    CorpusFile, Event, Lexicon, MappedFile, Mapping, Request, SeedLexicon, Settings as Learning,
+    WorldRules,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use std::fmt::Write;
@@ -127,11 +128,12 @@ fn planned(out: &mut String) {
 fn learned(out: &mut String) {
     let (mut learner, mut talker) = (Engine::<Learner>::new(), Engine::<Talker>::new());
     let name = "six.csv".to_owned();
-    let files = vec![CorpusFile { name, bytes: CORPUS.into() }];
-    last(&mut learner, Request::ReadCorpus { files, with_rejected: false });
-    let settings =
-        TrainSettings { epochs: 15, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 };
-    match last(&mut learner, Request::Train { lexicon: SeedLexicon::Demonstration, settings }) {
+    let file = CorpusFile { name, bytes: CORPUS.into() };
+    let files = vec![MappedFile { file, mapping: Mapping::default() }];
+    last(&mut learner, Request::OpenSheet { files, with_rejected: false });
+    let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
+    let settings = Box::new(Learning { lexicon, ..Learning::default() });
+    match last(&mut learner, Request::Learn { settings, resume: None }) {
         Some(Event::Trained(report)) => {
             last(&mut talker, Request::OpenModel { text: report.model });
             writeln!(out, "learned {} of {}", report.valid, report.examples)

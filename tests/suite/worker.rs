@@ -30,23 +30,39 @@ mod worlds;
 use crate::learn::{SIX, six};
 use groundling::learn::{Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
 use groundling::worker::job::Role;
-use groundling::worker::protocol::{CorpusFile, Event, Request, SeedLexicon, TrainSettings};
+use groundling::worker::protocol::{
+    CorpusFile, Event, Lexicon, MappedFile, Mapping, Request, SeedLexicon, Settings, SheetReport,
+};
 use groundling::worker::{Engine, Learner, Talker};
 
 /// The steps that may pass without a word: a search of two million states at 2,000 a step takes a thousand.
 const MOST_SILENT_STEPS: usize = 1_010;
 
-fn settings(epochs: u32) -> TrainSettings {
-    TrainSettings { epochs, beam: 150, lexical_beam: 75, demonstrations: None, seed: 0 }
+fn settings(epochs: u32) -> Box<Settings> {
+    let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
+    Box::new(Settings { lexicon, epochs, ..Settings::default() })
 }
 
-fn train(epochs: u32) -> Request {
-    Request::Train { lexicon: SeedLexicon::Demonstration, settings: settings(epochs) }
+fn learn(epochs: u32) -> Request {
+    Request::Learn { settings: settings(epochs), resume: None }
+}
+
+fn file(name: &str, text: &str) -> MappedFile {
+    let file = CorpusFile { name: name.to_owned(), bytes: text.into() };
+    MappedFile { file, mapping: Mapping::default() }
 }
 
 fn corpus(name: &str, text: &str) -> Request {
-    let file = CorpusFile { name: name.to_owned(), bytes: text.into() };
-    Request::ReadCorpus { files: vec![file], with_rejected: false }
+    Request::OpenSheet { files: vec![file(name, text)], with_rejected: false }
+}
+
+/// What came of reading one file.
+#[track_caller]
+fn opened(engine: &mut Engine<Learner>, name: &str, text: &str) -> SheetReport {
+    match only(pump(engine, 1, corpus(name, text))) {
+        Event::Sheet(report) => *report,
+        other => panic!("{name}: {other:?}"),
+    }
 }
 
 /// Steps until there is something to say.
@@ -98,7 +114,7 @@ fn learner() -> Engine<Learner> {
 
 /// A talker with a model that was learned from the six sentences, and the model's text.
 fn taught(epochs: u32) -> (Engine<Talker>, String) {
-    let Some(Event::Trained(report)) = pump(&mut learner(), 2, train(epochs)).pop() else {
+    let Some(Event::Trained(report)) = pump(&mut learner(), 2, learn(epochs)).pop() else {
         panic!("it does not end with a model");
     };
     let mut engine = Engine::new();
@@ -110,12 +126,9 @@ fn taught(epochs: u32) -> (Engine<Talker>, String) {
 #[test]
 fn a_corpus_is_read_and_kept_and_a_bad_one_replaces_nothing() {
     let mut engine = Engine::<Learner>::new();
-    let Event::Corpus(report) = only(pump(&mut engine, 1, corpus("six.csv", SIX))) else {
-        panic!("no report");
-    };
-    assert_eq!((report.rows.len(), report.rejected), (6, 0));
-    assert!(report.problems.is_empty(), "{:?}", report.problems);
-    assert_eq!(report.rows[0].command, six()[0].command);
+    let report = opened(&mut engine, "six.csv", SIX);
+    assert_eq!((report.files[0].rows, report.care.rejected), (6, 0));
+    assert!(report.faults.is_empty(), "{:?}", report.faults);
     let show = |engine: &mut Engine<Learner>, row| only(pump(engine, 2, Request::ShowRow { row }));
     let first = show(&mut engine, 0);
     let Event::Row { row: 0, pairs } = &first else { panic!("{first:?}") };
@@ -132,20 +145,17 @@ fn a_corpus_is_read_and_kept_and_a_bad_one_replaces_nothing() {
         ("other.csv", &SIX.replace("Answer.command", "Answer.remark")),
         ("empty.jsonl", ""),
     ] {
-        let event = only(pump(&mut engine, 3, corpus(name, text)));
-        let Event::Corpus(report) = event else { panic!("{name}: {event:?}") };
-        assert!(report.rows.is_empty(), "{name}");
-        assert!(!report.problems.is_empty(), "{name}: nothing is said to be wrong");
-        assert!(report.problems.iter().all(|p| !p.message.is_empty() && !p.kept), "{name}");
+        let report = opened(&mut engine, name, text);
+        assert!(report.files[0].useless.is_some(), "{name}");
+        assert!(!report.faults.is_empty(), "{name}: nothing is said to be wrong");
+        assert!(report.faults.iter().all(|fault| !fault.what.is_empty() && !fault.kept), "{name}");
         assert_eq!(show(&mut engine, 0), first, "{name}: the old corpus stays");
     }
     assert_eq!(refused(&mut engine, Request::ShowRow { row: 6 }), "The corpus has no row 6.");
     // A row that is bad leaves the good ones, and those are the corpus from then on.
     let one_bad = SIX.replacen("{\"\"agent\"\"", "{\"\"agnt\"\"", 1);
-    let event = only(pump(&mut engine, 4, corpus("five.csv", &one_bad)));
-    let Event::Corpus(report) = event else { panic!("{event:?}") };
-    assert_eq!(report.rows.len(), 5);
-    assert_eq!(report.problems[0].line, 2);
+    let report = opened(&mut engine, "five.csv", &one_bad);
+    assert_eq!((report.files[0].rows, report.faults[0].line), (5, 2));
     assert!(matches!(show(&mut engine, 4), Event::Row { row: 4, .. }));
     assert_eq!(refused(&mut engine, Request::ShowRow { row: 5 }), "The corpus has no row 5.");
 }
@@ -153,28 +163,23 @@ fn a_corpus_is_read_and_kept_and_a_bad_one_replaces_nothing() {
 #[test]
 fn training_needs_a_corpus_and_settings_that_can_be() {
     let mut engine = Engine::<Learner>::new();
-    let said = refused(&mut engine, train(1));
+    let said = refused(&mut engine, learn(1));
     assert_eq!(said, "There is nothing to learn from: load a corpus first.");
     pump(&mut engine, 1, corpus("six.csv", SIX));
     for (change, said) in [
-        (TrainSettings { epochs: 0, ..settings(1) }, "The epochs must be between 1 and 1000."),
-        (TrainSettings { beam: 0, ..settings(1) }, "The beam must be between 1 and 10000."),
+        (Settings { epochs: 0, ..*settings(1) }, "The epochs must be between 1 and 1000."),
+        (Settings { beam: 0, ..*settings(1) }, "The beam must be between 1 and 10000."),
         (
-            TrainSettings { lexical_beam: 10_001, ..settings(1) },
+            Settings { lexical_beam: 10_001, ..*settings(1) },
             "The lexical beam must be between 1 and 10000.",
         ),
         (
-            TrainSettings { demonstrations: Some(0), ..settings(1) },
+            Settings { demonstrations: Some(0), ..*settings(1) },
             "The demonstrations must be between 1 and 1000.",
         ),
     ] {
-        assert_eq!(
-            refused(
-                &mut engine,
-                Request::Train { lexicon: SeedLexicon::Demonstration, settings: change }
-            ),
-            said
-        );
+        let learn = Request::Learn { settings: Box::new(change), resume: None };
+        assert_eq!(refused(&mut engine, learn), said);
     }
 }
 
@@ -182,7 +187,7 @@ fn training_needs_a_corpus_and_settings_that_can_be() {
 fn training_reports_every_example_and_ends_with_the_command_line_s_bytes() {
     let mut engine = Engine::<Learner>::new();
     pump(&mut engine, 1, corpus("six.csv", SIX));
-    let mut events = pump(&mut engine, 2, train(4));
+    let mut events = pump(&mut engine, 2, learn(4));
     let Some(Event::Trained(report)) = events.pop() else { panic!("no model") };
     let progress = events.iter().map(|event| match event {
         Event::Progress(p) => (p.epoch, p.example, p.epochs, p.examples),
@@ -208,7 +213,7 @@ fn training_reports_every_example_and_ends_with_the_command_line_s_bytes() {
 fn training_says_something_every_few_steps() {
     let mut engine = Engine::<Learner>::new();
     pump(&mut engine, 1, corpus("six.csv", SIX));
-    engine.start(2, train(4));
+    engine.start(2, learn(4));
     let (mut silent, mut reported) = (0, 0);
     while engine.busy() {
         let spoke = engine.step().is_some();
@@ -236,7 +241,7 @@ fn a_ping_is_answered_and_replaces_nothing() {
     let mut engine = Engine::<Learner>::new();
     assert_eq!(only(pump(&mut engine, 7, Request::Ping)), Event::Pong);
     pump(&mut engine, 1, corpus("six.csv", SIX));
-    engine.start(2, train(1));
+    engine.start(2, learn(1));
     next(&mut engine);
     engine.start(8, Request::Ping);
     assert_eq!(next(&mut engine), (8, Event::Pong));
@@ -250,9 +255,9 @@ fn a_ping_is_answered_and_replaces_nothing() {
 #[test]
 fn every_request_that_is_replaced_is_told_so() {
     let mut engine = learner();
-    engine.start(10, train(2));
+    engine.start(10, learn(2));
     next(&mut engine);
-    engine.start(11, train(2));
+    engine.start(11, learn(2));
     engine.start(12, corpus("six.csv", SIX));
     // A look at a row replaces nothing.
     engine.start(13, Request::ShowRow { row: 0 });

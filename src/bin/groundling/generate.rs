@@ -1,19 +1,19 @@
-//! `generate`: tasks in, demonstrations out, for a study: pairs of states, or runs of a task over time; or worlds from a
-//! blueprint.
+//! `generate`: tasks in, demonstrations out, pairs of states or runs, or a whole study; or worlds from a blueprint.
 
 use super::command::{Command, Done, Failure};
 use super::corpora::text;
+use super::study::{self, Wanted};
 use groundling::corpus::{Cells, Corpus, Decision, Example, jsonl, limits::MAX_PAIRS, table};
 use groundling::domain::Blueprint;
 use groundling::study::{StudyTask, TASKS, draw, read_tasks};
 use lexopt::ValueExt;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::io::{self, BufWriter, Write};
 
 pub(crate) const COMMAND: Command = Command {
     name: "generate",
     about: "Draw pairs of states or runs for the tasks of a study, or worlds",
-    usage: "--tasks FILE|all [--pairs N] | --goal FORM [--runs N] | --worlds N [OPTIONS]",
+    usage: "--tasks FILE|all [--pairs N] | --goal FORM [--runs N] | --study NAME [OPTIONS] | --worlds N [OPTIONS]",
     details: "  --tasks FILE|all  a file of tasks, or the 23 of the corpus\n\
               \x20 --pairs N         pairs for each command, or runs where its goal is a task over time (3)\n\
               \x20 --goal FORM       one task: a row with runs if it speaks of time, with pairs otherwise\n\
@@ -25,6 +25,12 @@ pub(crate) const COMMAND: Command = Command {
               stands in the command's column, until people have said theirs (for a goal, the form). A run has contrasts:\n\
               what a robot would do without one of the task's steps or constraints, where that is not the task. What\n\
               the demonstrations of a row leave open, and runs without a contrast, are told on standard error.\n\
+              \n\
+              \x20 --study NAME      a study as one file instead, for collect.html: an item a task, 5 pairs each\n\
+              \x20 --from CORPUS     an item a row of a corpus instead, with the row's own pairs\n\
+              \x20 --rehearsed       keep what was said of each row, rejected rows among them, for ?simulate=SEED\n\
+              \x20 --settings FILE   JSON of what else a study says: language, shown, asked, order, again, words, hosts,\n\
+              \x20                   ends, pay, care\n\
               \n\
               \x20 --worlds N        instead of pairs: a world a line, as JSON, by the seeds from --seed on\n\
               \x20 --style STYLE     cuts, rows, or hall: rooms along a corridor (cuts)\n\
@@ -47,6 +53,7 @@ struct Options {
     shown: &'static str,
     seed: u64,
     json: bool,
+    study: Wanted,
     blueprint: Blueprint,
 }
 
@@ -67,6 +74,10 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
                 options.shown = if name == "runs" { "runs" } else { "pairs" };
             }
             "json" => options.json = true,
+            "study" => options.study.name = Some(arguments.value()?.parse()?),
+            "from" => options.study.corpus.push(arguments.value()?.into()),
+            "rehearsed" => options.study.rehearsed = true,
+            "settings" => options.study.settings = Some(arguments.value()?.into()),
             "worlds" => options.worlds = Some(arguments.value()?.parse()?),
             "style" => blueprint.style = arguments.value()?.parse()?,
             "rooms" => blueprint.rooms = arguments.value()?.parse()?,
@@ -79,7 +90,9 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
         match name.as_str() {
             "seed" | "json" => {}
-            "tasks" | "goal" | "pairs" | "runs" => of_pairs = Some(name),
+            "tasks" | "goal" | "pairs" | "runs" | "study" | "from" | "rehearsed" | "settings" => {
+                of_pairs = Some(name);
+            }
             _ => of_worlds = Some(name),
         }
     }
@@ -88,8 +101,19 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
             "--{pairs} is for pairs of states and --{worlds} for worlds: leave one out"
         ))),
         (_, Some(_)) => worlds(&options),
+        (_, None) if options.study.is_wanted() => {
+            let tasks = options.tasks.as_ref().map(|file| tasks(file)).transpose()?;
+            study::write(&options.study, tasks, options.pairs, options.seed)
+        }
         (_, None) => pairs(&options),
     }
+}
+
+/// The tasks of a file, or all.
+fn tasks(file: &OsStr) -> Result<Vec<StudyTask>, Failure> {
+    let own = if file == "all" { None } else { Some(text(file.as_ref())?) };
+    read_tasks(own.as_deref().unwrap_or(TASKS))
+        .map_err(|e| Failure::Usage(format!("{}: {e}", file.to_string_lossy())))
 }
 
 /// Pairs for the tasks of a study.
@@ -99,13 +123,10 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
         return Err(Failure::Usage(format!("--{} {n}: use 1 to {MAX_PAIRS}", options.shown)));
     }
     let (place, tasks) = match (&options.tasks, &options.goal) {
-        (Some(file), None) => {
-            let own = if file == "all" { None } else { Some(text(file.as_ref())?) };
-            (file.to_string_lossy().into_owned(), read_tasks(own.as_deref().unwrap_or(TASKS)))
-        }
+        (Some(file), None) => (file.to_string_lossy(), tasks(file)?),
         (None, Some(goal)) => {
             let task = StudyTask::of(goal).map_err(|e| Failure::Usage(format!("--goal: {e}")))?;
-            ("--goal".to_owned(), Ok(vec![task]))
+            ("--goal".into(), vec![task])
         }
         (Some(_), Some(_)) => {
             return Err(Failure::Usage("--tasks and --goal: leave one out".into()));
@@ -115,7 +136,6 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
             return Err(Failure::Usage(missing.into()));
         }
     };
-    let tasks = tasks.map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
     let mut corpus = Corpus::default();
     let mut error = io::stderr();
     for task in &tasks {

@@ -6,6 +6,7 @@ pub mod rows;
 pub mod view;
 pub mod change;
 pub mod care;
+pub mod decided;
 
 pub use care::Rules;
 pub use change::{Deed, Done, Verdict};

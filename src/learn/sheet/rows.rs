@@ -101,6 +101,11 @@ impl Sheet {
         &self.decisions
     }
 
+    /// Which half each row is in.
+    pub fn halves(&self) -> &[Half] {
+        &self.halves
+    }
+
     /// The rows of a half that are used: those that are not rejected, unless these are used too.
     pub fn rows_in(&self, half: Half) -> Vec<u32> {
         let is_used = |row: &u32| {

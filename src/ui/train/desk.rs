@@ -19,6 +19,8 @@ pub struct Desk {
     pub language: Language,
     /// The time of the action at work, in milliseconds.
     pub clock: f64,
+    /// How many engines the machine has room for.
+    pub cores: u32,
     /// What the person prefers.
     pub preferences: Preferences,
     /// The model that the robot uses.
@@ -61,9 +63,7 @@ impl Desk {
 
     /// Whether it is learning, or will be as soon as it can.
     pub fn is_learning(&self) -> bool {
-        let learns =
-            |request: &Request| matches!(request, Request::Learn { .. } | Request::RunShard { .. });
-        self.learner.is_at(learns)
+        self.learner.is_at(|request| matches!(request, Request::Learn { .. }))
     }
 
     /// Asks the engine to stop what it is doing.
@@ -83,6 +83,7 @@ impl Default for Desk {
             learner: Engine::new(Program::Learner),
             language: Language::default(),
             clock: 0.0,
+            cores: 1,
             preferences: Preferences::default(),
             in_use: None,
             model_notice: None,

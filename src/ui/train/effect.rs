@@ -2,6 +2,7 @@
 
 use crate::ui::page::engine::Errand;
 use crate::ui::page::news::News;
+use crate::ui::train::kept::ask::Ask;
 use crate::worker::protocol::{CorpusFile, Envelope, Program, Request};
 
 /// Something for the view to do.
@@ -9,6 +10,10 @@ use crate::worker::protocol::{CorpusFile, Envelope, Program, Request};
 pub enum Effect {
     /// Start a new engine, ending the one there is.
     SpawnEngine(Program),
+    /// Do something for an engine of the pool, by its seat.
+    Pool(u32, Errand),
+    /// End all engines of the pool.
+    EndPool,
     /// Send an engine a message.
     Post(Program, Envelope<Request>),
     /// Look after so many milliseconds whether an engine still answers.
@@ -17,6 +22,8 @@ pub enum Effect {
     Ring(u32, u32),
     /// Bring an element into view.
     Reveal(&'static str),
+    /// Have the store do something.
+    Store(Ask),
     /// Tell the page something.
     Tell(News),
     /// Offer a text to the person as a file.

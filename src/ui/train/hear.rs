@@ -2,31 +2,38 @@
 
 use super::restart::restart;
 use super::state::State;
-use super::{data, experiments, lexicon, run};
+use super::{data, experiments, keeping, lexicon, run, study};
 use crate::ui::page::engines::News;
 use crate::worker::protocol::{Event, Program, Request};
 
 /// There is news of an engine, or none.
 pub(super) fn told(state: &mut State, news: Option<News>) {
-    let State { desk, data, run, experiments, lexicon, .. } = state;
+    let State { desk, data, run, lexicon, study, .. } = state;
     match news {
         Some(News::Progress(
             event @ (Event::Progress(_) | Event::HeldOut { .. } | Event::Paused),
         )) => run::hear::progressed(run, desk, event),
-        Some(News::Progress(Event::Experimenting(progress))) => {
-            experiments.progress = Some(progress);
-        }
+        Some(News::Progress(Event::Study(said))) => study::hear::progressed(study, &said),
         Some(News::Progress(event)) => data::hear::progressed(data, &event),
         Some(News::Answer(Request::Learn { .. }, event)) => run::hear::ended(run, desk, event),
         Some(News::Answer(Request::Look | Request::Checkpoint | Request::ModelSoFar, event)) => {
             run::hear::answered(run, desk, event)
         }
+        Some(News::Answer(Request::Decisions, event)) => {
+            if let Event::Decisions { text } = &event {
+                keeping::decided(state, text);
+            }
+            let State { desk, run, .. } = state;
+            run::hear::answered(run, desk, event);
+        }
         Some(News::Answer(
-            request @ (Request::PlanRuns { .. }
-            | Request::RunShard { .. }
-            | Request::JoinRuns { .. }),
+            request @ (Request::PlanRuns { .. } | Request::JoinRuns { .. }),
             event,
-        )) => experiments::hear::answered(experiments, desk, request, event),
+        )) => {
+            let ground = state.ground();
+            let State { desk, experiments, .. } = state;
+            experiments::hear::answered(experiments, desk, request, event, &ground);
+        }
         Some(News::Answer(
             request @ (Request::Entries { .. }
             | Request::Errors
@@ -34,9 +41,10 @@ pub(super) fn told(state: &mut State, news: Option<News>) {
             | Request::Compare { .. }),
             event,
         )) => lexicon::hear::answered(lexicon, desk, &request, event),
+        Some(News::Answer(Request::Study(_), event)) => study::hear::answered(study, desk, event),
         Some(News::Answer(request, event)) => data::hear::answered(data, desk, request, event),
         Some(News::Stopped) => {
-            (data.reading, data.auditing, experiments.progress) = (None, None, None);
+            (data.reading, data.auditing) = (None, None);
             if run::update::retry(run) {
                 restart(state, Program::Learner);
             }

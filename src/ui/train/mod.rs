@@ -4,14 +4,19 @@
 
 pub mod words;
 pub mod effect;
+pub mod svg;
 pub mod desk;
 pub mod data;
 pub mod run;
 pub mod experiments;
 pub mod lexicon;
+pub mod study;
+pub mod kept;
 pub mod action;
 pub mod state;
 pub mod restart;
+pub mod returning;
+pub mod keeping;
 pub mod hear;
 pub mod update;
 #[cfg(target_arch = "wasm32")]

@@ -2,8 +2,9 @@
 
 use super::action::Tab;
 use super::desk::Desk;
-use super::{data, experiments, lexicon, run};
+use super::{data, experiments, kept, lexicon, run, study};
 use crate::worker::protocol::Confused;
+use std::rc::Rc;
 
 /// All that the workbench knows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,9 +23,25 @@ pub struct State {
     pub experiments: experiments::State,
     /// What was learned.
     pub lexicon: lexicon::State,
+    /// Studies.
+    pub study: study::State,
+    /// What is kept.
+    pub kept: kept::State,
 }
 
 impl State {
+    /// What experiments are on.
+    pub fn ground(&self) -> experiments::update::Ground {
+        let sheet = self.data.sheet.as_ref();
+        experiments::update::Ground {
+            files: sheet.map_or_else(|| Rc::from([]), |sheet| sheet.files.clone()),
+            with_rejected: sheet.is_some_and(|sheet| sheet.with_rejected),
+            held_out: self.data.held_out(),
+            settings: self.run.settings(self.data.lexicon()),
+            six: data::demo::file(),
+        }
+    }
+
     /// What wrong answers to what is held out did instead, of the last model that was judged on it.
     pub fn confused(&self) -> &[Confused] {
         let points = self.run.run.as_ref().map(|run| &run.points[..]).unwrap_or_default();

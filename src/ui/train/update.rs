@@ -5,12 +5,16 @@ use super::effect::Effect;
 use super::restart::restart;
 use super::run::update::Ground;
 use super::state::State;
-use super::{data, experiments, hear, lexicon, run};
+use super::{data, experiments, hear, keeping, lexicon, returning, run, study};
 use crate::ui::page::engines;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
-    let State { desk, shown, tab, data, run, experiments, lexicon } = state;
+    let mut action = action;
+    if let Action::Data(data::Action::Offered(files)) = &mut action {
+        returning::take_run(state, files);
+    }
+    let State { desk, shown, tab, data, run, lexicon, .. } = state;
     match action {
         Action::Data(action) => {
             if data::update::update(data, desk, action) {
@@ -18,17 +22,32 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             }
         }
         Action::Run(action) => {
-            let name = data.sheet.as_ref().map_or(String::new(), |sheet| sheet.name.clone());
+            let sheet = data.sheet.as_ref();
+            let name = sheet.map_or(String::new(), |sheet| sheet.name.clone());
+            let pack = sheet.map_or(String::new(), |sheet| sheet.pack());
             let seen = *shown && *tab == Tab::Run;
-            let ground = Ground { name, commands: data.commands(), lexicon: data.lexicon(), seen };
+            let ground =
+                Ground { name, pack, commands: data.commands(), lexicon: data.lexicon(), seen };
             run::update::update(run, desk, action, ground);
         }
 
         Action::Experiments(action) => {
-            let settings = run.settings(data.lexicon());
-            experiments::update::update(experiments, desk, action, settings);
+            let ground = state.ground();
+            let State { experiments, desk, .. } = state;
+            experiments::update::update(experiments, desk, action, &ground);
+        }
+        Action::Lexicon(lexicon::Action::Row(row)) => {
+            data::update::update(data, desk, data::Action::Look(data::action::Look::Row(row)));
+            *tab = Tab::Data;
         }
         Action::Lexicon(action) => lexicon::update::update(lexicon, desk, action),
+        Action::Study(action) => {
+            if let Some(corpus) = study::update::update(&mut state.study, desk, action) {
+                data::update::update(data, desk, data::Action::Offered(vec![corpus]));
+                *tab = Tab::Data;
+            }
+        }
+        Action::Kept(action) => keeping::update(state, action),
 
         Action::Turn(to) => {
             *tab = to;
@@ -40,9 +59,11 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             *shown = now;
             if now {
                 data::update::begin(data, desk);
+                keeping::begin(state);
             }
         }
         Action::Speak(language) => desk.language = language,
+        Action::Cores(cores) => desk.cores = cores,
         Action::Prefers(preferences) => desk.preferences = preferences,
         Action::Uses(model) => desk.in_use = Some(model),
         Action::Notice(words) => desk.model_notice = words,
@@ -61,5 +82,6 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             hear::told(state, news);
         }
     }
+    keeping::look(state);
     state.desk.take_wanted()
 }

@@ -1,12 +1,13 @@
 //! What an engine says to the page.
 
 use super::learning::{
-    CorpusReport, ExperimentProgress, Judgement, PairText, Progress, TeachReport, TrainReport,
+    Demonstrated, ExperimentProgress, Judgement, PairText, Progress, TeachReport, TrainReport,
 };
 use super::planning::{Answer, PlanProgress, PlanText, Runs, ValueMap};
 use super::reading::Study;
 use super::request::Wanted;
 use super::sheet::{Checkpoint, Joined, RowReading, SheetReport};
+use super::study::StudySaid;
 use crate::corpus::Preview;
 use crate::domain::State;
 use crate::learn::audit::Errors;
@@ -76,11 +77,9 @@ pub enum Event {
         /// Bytes in all.
         of: u64,
     },
-    /// A corpus was read.
-    Corpus(CorpusReport),
     /// One row's states.
     Row {
-        /// Index into [`CorpusReport::rows`](super::CorpusReport::rows).
+        /// Index into the sheet.
         row: usize,
         /// Its demonstrations.
         pairs: Vec<PairText>,
@@ -91,11 +90,8 @@ pub enum Event {
     Trained(TrainReport),
     /// An experiment has gone on by one example.
     Experimenting(ExperimentProgress),
-    /// An experiment is over.
-    Experimented {
-        /// An [`ExperimentReport`](super::ExperimentReport) as JSON: a page that only keeps it need not take it apart.
-        report: String,
-    },
+    /// The demonstration is over.
+    Demonstrated(Box<Demonstrated>),
     /// The beginning of a file.
     Previewed(Box<Preview>),
     /// Files were read.
@@ -108,6 +104,11 @@ pub enum Event {
     RowReading(Box<RowReading>),
     /// How the sheet stands.
     Care(Care),
+    /// What was decided of all rows.
+    Decisions {
+        /// A file of JSON, for the same rows.
+        text: String,
+    },
     /// Rows are judged.
     Auditing {
         /// Rows that are.
@@ -156,4 +157,6 @@ pub enum Event {
     Heard,
     /// What this request began rests.
     Paused,
+    /// Something was done about a study, or is being done.
+    Study(StudySaid),
 }

@@ -5,7 +5,6 @@ use crate::ccg::EntryText;
 use crate::domain::State;
 use crate::ground::{Claim, Noun};
 use crate::learn::PlannerCost;
-use crate::learn::experiment::By;
 use serde::{Deserialize, Serialize};
 
 /// The most examples that a model is taught at once.
@@ -32,55 +31,6 @@ pub enum Meaning {
     Form(String),
     /// What it is in other words.
     Words(String),
-}
-
-/// The settings of a training run that the page offers.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TrainSettings {
-    /// Passes over the corpus.
-    pub epochs: u32,
-    /// Edges kept per span when parsing.
-    pub beam: u32,
-    /// Edges kept per span when generating lexical entries.
-    pub lexical_beam: u32,
-    /// Pairs of each row that are looked at, from the first; `None` for all.
-    pub demonstrations: Option<u32>,
-    /// The seed of the order of examples.
-    pub seed: u32,
-}
-
-/// An experiment on the corpus that is kept.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Experiment {
-    /// The rows of the paper's Table II for one set: learning from 3, 2 and 1 demonstrations a command.
-    Table2 {
-        /// What the set is called; the paper's are `raw` and `pruned`.
-        set: String,
-        /// What is judged on.
-        test: CorpusFile,
-    },
-    /// The paper's Table III: learning without a planner and with one of horizon 1, 10 and 20.
-    Table3 {
-        /// What is judged on.
-        test: CorpusFile,
-        /// States that a run's planner may expand.
-        budget: u64,
-    },
-    /// Section VII: learns, then answers a command that was never heard.
-    Demonstration {
-        /// The command.
-        command: String,
-        /// The state of the world it is said in.
-        state: State,
-    },
-    /// Cross-validation.
-    Cross {
-        /// Parts of the corpus.
-        folds: u32,
-        /// What stays together.
-        by: By,
-    },
 }
 
 /// A corpus file.
@@ -121,45 +71,6 @@ pub(super) mod bytes {
         }
         from.deserialize_bytes(Bytes)
     }
-}
-
-/// What came of reading a corpus.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct CorpusReport {
-    /// The file's name, or the names of all files.
-    pub name: String,
-    /// The good rows, in the files' order.
-    pub rows: Vec<RowSummary>,
-    /// Rows left out because they were rejected.
-    pub rejected: usize,
-    /// Rows left out because something is wrong with them.
-    pub left_out: usize,
-    /// Bad rows and oddities.
-    pub problems: Vec<Problem>,
-}
-
-/// One good row of a corpus, without its states.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct RowSummary {
-    /// The command.
-    pub command: String,
-    /// Its task's label, where there is one.
-    pub task: Option<String>,
-    /// The number of its demonstrations.
-    pub pairs: usize,
-}
-
-/// Something wrong (or odd) in an outside text.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Problem {
-    /// The line where the row begins, from 1; 0 for the file as a whole.
-    pub line: u64,
-    /// The column's name, where one is to blame.
-    pub column: Option<String>,
-    /// What is wrong and what to mend.
-    pub message: String,
-    /// Whether the row was kept all the same.
-    pub kept: bool,
 }
 
 /// One demonstration: the state before and the state after.
@@ -302,17 +213,13 @@ pub enum RunPart {
     },
 }
 
-/// What an experiment found.
+/// What came of the paper's demonstration.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ExperimentReport {
-    /// A row a run, in order.
-    pub runs: Vec<RunReport>,
-    /// All runs together, where their test halves part one corpus.
-    pub all: Option<Judgement>,
+pub struct Demonstrated {
+    /// How the model answers what it has heard.
+    pub run: RunReport,
     /// What the command that was never heard was answered.
-    pub answer: Option<Answer>,
-    /// What is wrong or odd with the test file.
-    pub problems: Vec<Problem>,
+    pub answer: Answer,
 }
 
 /// What a run found.

@@ -8,6 +8,7 @@ mod event;
 mod planning;
 mod reading;
 mod sheet;
+mod study;
 mod wire;
 mod talk;
 mod beyond;
@@ -15,10 +16,9 @@ mod beyond;
 pub use beyond::{Beyond, beyond, lost};
 pub use event::Event;
 pub use learning::{
-    Check, Confused, CorpusFile, CorpusReport, Experiment, ExperimentProgress, ExperimentReport,
-    Figures, Fit, Judgement, Lesson, MOST_TAUGHT, Meaning, PairText, Problem, Progress, Refusal,
-    RowSummary, RunPart, RunReport, TaskFigures, TeachReport, Told, TrainReport, TrainSettings,
-    What,
+    Check, Confused, CorpusFile, Demonstrated, ExperimentProgress, Figures, Fit, Judgement, Lesson,
+    MOST_TAUGHT, Meaning, PairText, Progress, Refusal, RunPart, RunReport, TaskFigures,
+    TeachReport, Told, TrainReport, What,
 };
 pub use message::{Envelope, Program, VERSION};
 pub use planning::{
@@ -29,6 +29,7 @@ pub use request::{Request, Wanted};
 pub use sheet::{
     Checkpoint, Fault, FileReport, Form, Joined, MappedFile, RowReading, SheetReport, Split,
 };
+pub use study::{StudyAsk, StudySaid};
 pub use talk::{decode_asked, decode_said};
 pub use wire::{Reader, WireError, decode, encode};
 
@@ -48,3 +49,4 @@ pub use crate::learn::sheet::{
     Window,
 };
 pub use crate::plan::Why;
+pub use crate::study::judge::Verdict as AnswerVerdict;

@@ -1,14 +1,15 @@
 //! What the page asks of an engine.
 
-use super::learning::{CorpusFile, Experiment, Lesson, TrainSettings};
+use super::learning::{CorpusFile, Lesson};
 use super::message::Program;
 use super::planning::WorldRules;
 use super::sheet::{Form, MappedFile, Split};
+use super::study::StudyAsk;
 use crate::domain::{Blueprint, State};
+use crate::learn::Settings;
 use crate::learn::inspect::EntryView;
 use crate::learn::runs::Matrix;
 use crate::learn::sheet::{Rules, Verdict, View};
-use crate::learn::{SeedLexicon, Settings};
 use serde::{Deserialize, Serialize};
 
 /// A kind of command to try.
@@ -121,25 +122,10 @@ pub enum Request {
         /// The world.
         state: State,
     },
-    /// Reads corpus files and keeps them as one corpus, if each has a good row → [`Event::Reading`](super::Event::Reading) now and then, then
-    /// [`Event::Corpus`](super::Event::Corpus).
-    ReadCorpus {
-        /// The files.
-        files: Vec<CorpusFile>,
-        /// Keep rows that were rejected.
-        with_rejected: bool,
-    },
-    /// The states of one row of the corpus that is kept → [`Event::Row`](super::Event::Row).
+    /// The states of one row of the sheet → [`Event::Row`](super::Event::Row).
     ShowRow {
-        /// Index into [`CorpusReport::rows`](super::CorpusReport::rows).
+        /// Index into the sheet.
         row: usize,
-    },
-    /// Trains on the corpus that is kept → [`Event::Progress`](super::Event::Progress) after every example, then [`Event::Trained`](super::Event::Trained).
-    Train {
-        /// What is known beforehand.
-        lexicon: SeedLexicon,
-        /// What differs from the paper's settings.
-        settings: TrainSettings,
     },
     /// Teaches a model a few examples besides, of which each has a demonstration → [`Event::Taught`](super::Event::Taught). Nothing is kept.
     Teach {
@@ -148,13 +134,16 @@ pub enum Request {
         /// The examples, at most [`MOST_TAUGHT`](super::MOST_TAUGHT).
         examples: Vec<Lesson>,
     },
-    /// Runs an experiment on the corpus that is kept → [`Event::Experimenting`](super::Event::Experimenting) after every example, then
-    /// [`Event::Experimented`](super::Event::Experimented). Corpus and model stay as they are.
-    Experiment {
-        /// Which.
-        experiment: Experiment,
-        /// What differs from the paper's settings in every run.
-        settings: TrainSettings,
+    /// The paper's Section VII: learns from the half of the sheet that is learned from, then answers a command that was
+    /// never heard → [`Event::Experimenting`](super::Event::Experimenting) after every example, then [`Event::Demonstrated`](super::Event::Demonstrated). Sheet
+    /// and model stay as they are.
+    Demonstrate {
+        /// The command.
+        command: String,
+        /// The state of the world it is said in.
+        state: State,
+        /// The settings.
+        settings: Box<Settings>,
     },
     /// Looks at the beginning of a file, for a person who maps its columns → [`Event::Previewed`](super::Event::Previewed).
     Preview {
@@ -205,6 +194,13 @@ pub enum Request {
     Divide {
         /// How.
         split: Split,
+    },
+    /// What was decided of all rows → [`Event::Decisions`](super::Event::Decisions).
+    Decisions,
+    /// Decides of all rows what such a text says → [`Event::Care`](super::Event::Care).
+    TakeDecisions {
+        /// The text.
+        text: String,
     },
     /// Undoes the last change of the sheet → [`Event::Care`](super::Event::Care).
     Undo,
@@ -302,43 +298,14 @@ pub enum Request {
     StepExample,
     /// What rests goes on to the end of an epoch → as for `Pause`.
     StepEpoch,
+    /// Something is to be done about a study → [`Event::Study`](super::Event::Study).
+    Study(StudyAsk),
 }
 
 impl Request {
     /// The program that it is for; nothing where any will do.
     pub fn program(&self) -> Option<Program> {
         match self {
-            Request::ReadCorpus { .. }
-            | Request::ShowRow { .. }
-            | Request::Train { .. }
-            | Request::Teach { .. }
-            | Request::Experiment { .. }
-            | Request::Preview { .. }
-            | Request::OpenSheet { .. }
-            | Request::Window { .. }
-            | Request::Facets
-            | Request::ReadRow { .. }
-            | Request::Care
-            | Request::Decide { .. }
-            | Request::DecideAll { .. }
-            | Request::Divide { .. }
-            | Request::Undo
-            | Request::Redo
-            | Request::Mark { .. }
-            | Request::Audit { .. }
-            | Request::Errors
-            | Request::SaveSheet { .. }
-            | Request::SaveBadRows { .. }
-            | Request::Learn { .. }
-            | Request::Look
-            | Request::Checkpoint
-            | Request::ModelSoFar
-            | Request::PlanRuns { .. }
-            | Request::RunShard { .. }
-            | Request::JoinRuns { .. }
-            | Request::Entries { .. }
-            | Request::Without { .. }
-            | Request::Compare { .. } => Some(Program::Learner),
             Request::OpenModel { .. }
             | Request::Words { .. }
             | Request::Read { .. }
@@ -357,6 +324,7 @@ impl Request {
             | Request::StepEpoch
             | Request::Cancel
             | Request::Ping => None,
+            _ => Some(Program::Learner),
         }
     }
 
@@ -373,6 +341,8 @@ impl Request {
                 | Request::Decide { .. }
                 | Request::DecideAll { .. }
                 | Request::Divide { .. }
+                | Request::Decisions
+                | Request::TakeDecisions { .. }
                 | Request::Undo
                 | Request::Redo
                 | Request::Mark { .. }

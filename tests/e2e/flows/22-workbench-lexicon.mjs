@@ -32,4 +32,9 @@ flow('the lexicon is looked through, an entry is left out, and two models are co
   await t.check(async () => (await demo.by('errors').locator('table').count()) > 0, 'where it errs');
   await t.accessible('errors');
   await t.shot('bench-errors');
+  const sentence = demo.by('sentence').first();
+  const words = await sentence.textContent();
+  await sentence.press('Enter');
+  await demo.by('open-row').waitFor();
+  await t.check(async () => (await demo.by('open-row').textContent()).includes(words), 'the row that a sentence is of');
 });

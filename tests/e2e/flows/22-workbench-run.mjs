@@ -64,7 +64,7 @@ flow('curves show how the model does on what is held out', async (t) => {
 
 flow('an engine that is killed while it learns goes on where it was', async (t) => {
   const demo = await long(t);
-  await demo.by('setting-epochs').fill('200');
+  await demo.by('setting-epochs').fill('1000');
   await demo.by('setting-epochs').blur();
   await demo.press('train');
   await demo.by('progress').waitFor();

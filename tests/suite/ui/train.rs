@@ -9,26 +9,29 @@ use groundling::ui::train::data::action::{Care, Look, Map};
 use groundling::ui::train::data::demo;
 use groundling::ui::train::data::mapping::Column;
 use groundling::ui::train::effect::Effect;
+use groundling::ui::train::kept::ask::Ask;
 use groundling::ui::train::run::action::{Number, Setting};
 use groundling::ui::train::run::state::{Pace, can_train};
-use groundling::ui::train::{Action, State, data, lexicon, reduce, run};
+use groundling::ui::train::{Action, State, data, reduce, run};
 use groundling::worker::protocol::{
-    self, Checkpoint, Deed, Done, EntryWindow, Envelope, Event, Fault as Flaw, FileReport, Lexicon,
-    Line, Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Status, VERSION,
+    self, Checkpoint, Deed, Done, Envelope, Event, Fault as Flaw, FileReport, Lexicon, Line,
+    Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Status, VERSION,
     Verdict, View, Window,
 };
 use std::rc::Rc;
 
 /// A workbench and its engine's side of the talk: what was posted and not yet answered.
-struct Bench {
-    state: State,
-    posted: Vec<(u32, Request)>,
-    others: Vec<Effect>,
+pub(super) struct Bench {
+    pub(super) state: State,
+    pub(super) posted: Vec<(u32, Request)>,
+    pub(super) others: Vec<Effect>,
+    /// What the store was asked for.
+    pub(super) stored: Vec<Ask>,
 }
 
 impl Bench {
     /// A workbench that is to be seen, with a corpus of `rows` commands, and nothing at work.
-    fn with(rows: u32) -> Bench {
+    pub(super) fn with(rows: u32) -> Bench {
         let mut bench = Bench::new();
         bench.hear(0, Event::Ready);
         bench.answer(Event::Sheet(Box::new(report("six.csv", rows))));
@@ -38,7 +41,7 @@ impl Bench {
     }
 
     /// Answers what is asked besides, for a sheet of so many rows.
-    fn settle(&mut self, rows: u32) {
+    pub(super) fn settle(&mut self, rows: u32) {
         while let Some(at) = self.posted.iter().position(|(_, request)| request.is_aside()) {
             let (id, request) = self.posted.remove(at);
             let event = match request {
@@ -55,44 +58,46 @@ impl Bench {
     }
 
     /// A workbench that has just come; its engine is not up yet.
-    fn new() -> Bench {
-        let mut bench = Bench { state: State::default(), posted: Vec::new(), others: Vec::new() };
+    pub(super) fn new() -> Bench {
+        let (posted, others, stored) = (Vec::new(), Vec::new(), Vec::new());
+        let mut bench = Bench { state: State::default(), posted, others, stored };
         bench.act(Action::Shown(true));
         bench
     }
 
-    fn act(&mut self, action: Action) {
+    pub(super) fn act(&mut self, action: Action) {
         for effect in reduce(&mut self.state, action) {
             match effect {
                 Effect::Post(_, envelope) => self.posted.push((envelope.id, envelope.body)),
                 Effect::Watch(..) | Effect::Ring(..) => {}
+                Effect::Store(ask) => self.stored.push(ask),
                 other => self.others.push(other),
             }
         }
     }
 
-    fn data(&mut self, action: data::Action) {
+    pub(super) fn data(&mut self, action: data::Action) {
         self.act(Action::Data(action));
     }
 
-    fn run(&mut self, action: run::Action) {
+    pub(super) fn run(&mut self, action: run::Action) {
         self.act(Action::Run(action));
     }
 
-    fn hear(&mut self, id: u32, body: Event) {
+    pub(super) fn hear(&mut self, id: u32, body: Event) {
         self.act(Action::Heard(Program::Learner, Envelope { groundling: VERSION, id, body }));
     }
 
     /// Answers the request posted last.
     #[track_caller]
-    fn answer(&mut self, event: Event) {
+    pub(super) fn answer(&mut self, event: Event) {
         let (id, _) = self.posted.pop().expect("a request is at work");
         self.hear(id, event);
     }
 
     /// The request posted last.
     #[track_caller]
-    fn asked(&self) -> &Request {
+    pub(super) fn asked(&self) -> &Request {
         &self.posted.last().expect("a request is at work").1
     }
 
@@ -106,12 +111,12 @@ impl Bench {
 
     /// The run at work.
     #[track_caller]
-    fn live(&self) -> &run::state::Run {
+    pub(super) fn live(&self) -> &run::state::Run {
         self.state.run.live().expect("a run is at work")
     }
 
     /// What the page was told, but for what is only said.
-    fn told(&self) -> Vec<&News> {
+    pub(super) fn told(&self) -> Vec<&News> {
         let news = self.others.iter().filter_map(|effect| match effect {
             Effect::Tell(news) if !matches!(news, News::Say(_)) => Some(news),
             _ => None,
@@ -120,11 +125,11 @@ impl Bench {
     }
 }
 
-fn care(rows: u32) -> protocol::Care {
+pub(super) fn care(rows: u32) -> protocol::Care {
     protocol::Care { rows, train: rows, ..protocol::Care::default() }
 }
 
-fn report(name: &str, rows: u32) -> SheetReport {
+pub(super) fn report(name: &str, rows: u32) -> SheetReport {
     let file = FileReport { name: name.to_owned(), rows, ..FileReport::default() };
     SheetReport { files: vec![file], care: care(rows), ..SheetReport::default() }
 }
@@ -154,11 +159,11 @@ fn line(row: u32) -> Line {
     }
 }
 
-fn progress(epoch: u32, example: usize) -> Progress {
+pub(super) fn progress(epoch: u32, example: usize) -> Progress {
     Progress { epoch, epochs: 15, example, examples: 6, valid: 1, updates: 1, entries: 9 }
 }
 
-fn file(name: &str, text: &str) -> Offered {
+pub(super) fn file(name: &str, text: &str) -> Offered {
     Offered { name: name.to_owned(), bytes: Ok(text.into()) }
 }
 
@@ -453,48 +458,4 @@ fn reading_shows_how_far_it_is_and_can_be_stopped() {
     bench.answer(Event::Cancelled);
     assert_eq!((bench.state.data.reading, &bench.state.data.sheet), (None, &before));
     assert!(bench.notice().is_some_and(|words| words.contains("stopped")));
-}
-
-#[test]
-fn the_lexicon_is_asked_for_when_it_is_seen_and_a_model_without_some_of_it_is_given_to_the_robot() {
-    let mut bench = Bench::with(6);
-    bench.act(Action::Turn(Tab::Lexicon));
-    let asked: Vec<Request> = bench.posted.iter().map(|(_, request)| request.clone()).collect();
-    let [Request::Errors, Request::Entries { view, offset: 0, .. }] = &asked[..] else {
-        panic!("{asked:?}")
-    };
-    let view = view.clone();
-    let window = EntryWindow { total: 70, ..EntryWindow::default() };
-    bench.answer(Event::Entries(Box::new(window.clone())));
-    bench.answer(Event::Refused { message: "no model was asked".to_owned() });
-    assert_eq!(bench.state.lexicon.window.as_deref(), Some(&window));
-    assert_eq!((&bench.state.lexicon.errors, &bench.state.lexicon.notice), (&None, &None));
-
-    bench.act(Action::Lexicon(lexicon::Action::Text("green".to_owned())));
-    // What was asked before has come late: it is not what is looked for.
-    let late = Request::Entries { view, offset: 0, count: 50 };
-    assert_ne!(bench.asked(), &late);
-    bench.settle(6);
-
-    bench.act(Action::Lexicon(lexicon::Action::Pick(12, true)));
-    bench.act(Action::Lexicon(lexicon::Action::Without));
-    assert_eq!(bench.asked(), &Request::Without { places: vec![12] });
-    bench.answer(Event::Trained(model("without it")));
-    assert!(matches!(bench.told()[..], [News::Use { text, .. }] if text == "without it"));
-}
-
-#[test]
-fn what_is_left_is_told_from_the_pass_before() {
-    let mut clock = run::clock::Clock::default();
-    let at = |epoch, example| Progress { examples: 100, epochs: 3, ..progress(epoch, example) };
-    clock.tick(0.0, &at(1, 0));
-    clock.tick(1_000.0, &at(1, 1));
-    assert_eq!(clock.left(&at(1, 1)), None, "too early to tell");
-    clock.tick(60_000.0, &at(1, 100));
-    clock.tick(61_000.0, &at(2, 0));
-    // The first pass took 61 s; the second is at its half, and one more follows.
-    assert_eq!(clock.left(&at(2, 50)), Some(30_500.0 + 61_000.0));
-    clock.rest();
-    clock.tick(1_000_000.0, &at(2, 51));
-    assert_eq!(clock.worked(), 61_000.0, "what goes by while it rests is not its own");
 }

@@ -1,6 +1,6 @@
 //! What a command is answered, and why it may not be: readings, plan, each reason; cancelled and damaged models.
 
-use super::{SIX, learner, next, only, pump, refused, taught, train};
+use super::{SIX, learn, learner, next, only, pump, refused, taught};
 use crate::ccg::{AMBIGUOUS, model};
 use groundling::domain::{Lock, State};
 use groundling::ground::Goal;
@@ -140,14 +140,14 @@ fn a_goal_may_be_true_lost_or_out_of_reach() {
 #[test]
 fn training_that_is_cancelled_leaves_the_corpus_and_one_that_is_replaced_too() {
     let mut engine = learner();
-    engine.start(20, train(15));
+    engine.start(20, learn(15));
     for _ in 0..7 {
         assert!(matches!(next(&mut engine), (20, Event::Progress(_))));
     }
     engine.start(21, Request::Cancel);
     assert_eq!(next(&mut engine), (20, Event::Cancelled));
     assert!(!engine.busy());
-    engine.start(22, train(15));
+    engine.start(22, learn(15));
     next(&mut engine);
     engine.start(23, Request::ShowRow { row: 5 });
     assert!(
@@ -155,7 +155,7 @@ fn training_that_is_cancelled_leaves_the_corpus_and_one_that_is_replaced_too() {
         "a look replaces nothing"
     );
     assert!(matches!(next(&mut engine), (22, Event::Progress(_))));
-    engine.start(24, train(15));
+    engine.start(24, learn(15));
     assert_eq!(next(&mut engine), (22, Event::Cancelled));
 }
 

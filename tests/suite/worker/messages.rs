@@ -4,15 +4,13 @@
 use super::{corpus, refused, settings, six};
 use groundling::domain::{Blueprint, Color, Direction, Shape, Size};
 use groundling::learn::PlannerCost;
-use groundling::learn::experiment::By;
 use groundling::worker::protocol::{
-    Answer, Article, CellValue, Check, Claim, Closed, Confused, CorpusFile, CorpusReport,
-    Description, EntryText, Envelope, Event, Experiment, ExperimentProgress, ExperimentReport,
-    Explanation, Fate, Figures, Judgement, Lesson, Meaning, Node, Noun, PairText, Part, Phrase,
-    Piece, PlanProgress, PlanText, Problem, Program, Progress, Reading, Referent, Refers, Refusal,
-    Request, RowSummary, RunPart, RunReport, Runs, SeedLexicon, Shade, Study, Taken, TaskFigures,
-    TeachReport, Told, TrainReport, VERSION, ValueMap, Wanted, What, Why, WireError, Word,
-    WorldRules, decode, decode_asked, decode_said, encode,
+    Answer, Article, CellValue, Check, Claim, Closed, Confused, Demonstrated, Description,
+    EntryText, Envelope, Event, ExperimentProgress, Explanation, Fate, Figures, Judgement, Lesson,
+    Meaning, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress, PlanText, Program, Progress,
+    Reading, Referent, Refers, Refusal, Request, RunPart, RunReport, Runs, Settings, Shade, Study,
+    Taken, TaskFigures, TeachReport, Told, TrainReport, VERSION, ValueMap, Wanted, What, Why,
+    WireError, Word, WorldRules, decode, decode_asked, decode_said, encode,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use serde::{Serialize, de::DeserializeOwned};
@@ -96,17 +94,15 @@ fn each_program_refuses_what_is_the_other_s() {
 fn requests() -> Vec<Request> {
     let state = six()[0].pairs[0].pre.clone();
     let pair = PairText { pre: state.clone(), post: state.clone() };
-    let mut some = settings(3);
-    some.demonstrations = Some(2);
-    let test = CorpusFile { name: "test.csv".to_owned(), bytes: b"x\n\xFF".to_vec() };
-    let experiment = |experiment| Request::Experiment { experiment, settings: settings(2) };
+    let some = Box::new(Settings { demonstrations: Some(2), ..*settings(3) });
+    let command = "go".to_owned();
     let rules =
         WorldRules { pull: true, robot: true, slip: 0.1, lock: 0.2, ..WorldRules::default() };
     vec![
         corpus("a \"b\".csv", "x,\"y\"\r\n\u{fffd}🤖"),
         Request::ShowRow { row: 3 },
-        Request::Train { lexicon: SeedLexicon::Demonstration, settings: settings(15) },
-        Request::Train { lexicon: SeedLexicon::Demonstration, settings: some },
+        Request::Learn { settings: settings(15), resume: None },
+        Request::Learn { settings: some, resume: Some("so far".to_owned()) },
         Request::Teach {
             model: "groundling model 1\nend\n".to_owned(),
             examples: vec![Lesson {
@@ -127,10 +123,7 @@ fn requests() -> Vec<Request> {
         Request::Plan { form: "p:t".to_owned(), state: state.clone(), rules },
         Request::Values { state: state.clone() },
         Request::RollOut { runs: 100, seed: 7 },
-        experiment(Experiment::Table2 { set: "raw".to_owned(), test: test.clone() }),
-        experiment(Experiment::Table3 { test, budget: 1 << 40 }),
-        experiment(Experiment::Demonstration { command: "go".to_owned(), state }),
-        experiment(Experiment::Cross { folds: 5, by: By::Task }),
+        Request::Demonstrate { command, state, settings: settings(2) },
         Request::Cancel,
         Request::Ping,
     ]
@@ -143,7 +136,7 @@ fn requests_come_back_from_the_wire() {
 
 #[test]
 fn events_come_back_from_the_wire() {
-    come_back(&events(), 25);
+    come_back(&events(), 24);
 }
 
 fn events() -> Vec<Event> {
@@ -248,16 +241,6 @@ fn events() -> Vec<Event> {
     };
     let without =
         Answer { readings: vec![], reason: None, probability: None, plan: None, ..answer.clone() };
-    let row = RowSummary { command: "go".to_owned(), task: Some("room".to_owned()), pairs: 3 };
-    let column = Some("Input.pre_1".to_owned());
-    let problem = Problem { line: 2, column, message: "mend it".to_owned(), kept: true };
-    let report = CorpusReport {
-        name: "six.csv".to_owned(),
-        rows: vec![row],
-        rejected: 1,
-        left_out: 2,
-        problems: vec![problem],
-    };
     let progress = Progress {
         epoch: 1,
         epochs: 15,
@@ -291,16 +274,9 @@ fn events() -> Vec<Event> {
         entries: 120,
         paper_f1: Some(0.667),
         planner: Some(planner),
-        judgement: judgement.clone(),
+        judgement,
     };
-    let found = ExperimentReport {
-        runs: vec![row],
-        all: Some(judgement),
-        answer: Some(without.clone()),
-        problems: report.problems.clone(),
-    };
-    let text = serde_json::to_string(&found).unwrap();
-    assert_eq!(serde_json::from_str::<ExperimentReport>(&text).unwrap(), found);
+    let found = Demonstrated { run: row, answer: without.clone() };
     let model = "groundling model 1\nend\n".to_owned();
     let trained = TrainReport { model, examples: 6, valid: 6, entries: 9 };
     let entry = EntryText {
@@ -315,12 +291,11 @@ fn events() -> Vec<Event> {
         Event::Pong,
         Event::Crashed { message: "at line 1".to_owned() },
         Event::Reading { done: 1 << 40, of: u64::MAX },
-        Event::Corpus(report),
         Event::Row { row: 0, pairs: vec![PairText { pre: pair.pre, post: pair.post }] },
         Event::Progress(progress.clone()),
         Event::Experimenting(learning),
         Event::Experimenting(judging),
-        Event::Experimented { report: text },
+        Event::Demonstrated(Box::new(found)),
         Event::Trained(trained.clone()),
         Event::Opened(trained.clone()),
         Event::Taught(Box::new(TeachReport {

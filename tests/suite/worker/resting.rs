@@ -1,7 +1,7 @@
 //! Work that rests and goes on, whatever it is.
 
-use super::sheets::{care, file, learn, sheet};
-use super::{SIX, next};
+use super::sheets::{care, sheet};
+use super::{SIX, file, learn, next};
 use groundling::worker::protocol::{Event, Half, Request, Verdict};
 
 #[test]

@@ -1,33 +1,17 @@
 //! Runs as data: plans repeat them, shards share them out, and what is joined is the same whoever worked on it.
 
-use super::{SIX, next, only, pump, refused, six};
+use super::{learn, learner, next, only, pump, refused, settings, six};
 use groundling::ccg::Kind;
 use groundling::learn::experiment::By;
 use groundling::learn::runs::{Matrix, Plan, spans};
-use groundling::learn::{SeedLexicon, Settings, settings::Lexicon};
-use groundling::worker::protocol::{
-    CorpusFile, Event, Half, Joined, MappedFile, Mapping, Request, Verdict,
-};
+use groundling::worker::protocol::{Event, Half, Joined, Request, Verdict};
 use groundling::worker::{Engine, Learner};
 use proptest::prelude::{any, prop, proptest};
 use proptest::prop_assert_eq;
 
-fn engine() -> Engine<Learner> {
-    let mut engine = Engine::new();
-    let file = CorpusFile { name: "six.csv".to_owned(), bytes: SIX.into() };
-    let files = vec![MappedFile { file, mapping: Mapping::default() }];
-    pump(&mut engine, 1, Request::OpenSheet { files, with_rejected: false });
-    engine
-}
-
-fn settings(epochs: u32) -> Settings {
-    let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
-    Settings { lexicon, epochs, ..Settings::default() }
-}
-
 #[track_caller]
 fn planned(engine: &mut Engine<Learner>, matrix: Matrix) -> Plan {
-    let request = Request::PlanRuns { matrix, settings: Box::new(settings(2)) };
+    let request = Request::PlanRuns { matrix, settings: settings(2) };
     match only(pump(engine, 2, request)) {
         Event::Plan { text } => {
             let plan = Plan::read(&text).unwrap();
@@ -56,7 +40,7 @@ fn joined(engine: &mut Engine<Learner>, plan: &Plan, shards: Vec<String>) -> Joi
 
 #[test]
 fn four_engines_find_what_one_finds() {
-    let mut engines = [engine(), engine(), engine(), engine()];
+    let mut engines = [learner(), learner(), learner(), learner()];
     let [one, ..] = &mut engines;
     let plan = planned(one, Matrix::Cross { folds: 3, by: By::Row });
     assert_eq!((plan.runs.len(), plan.rows, plan.pooled), (3, 6, true));
@@ -83,7 +67,7 @@ fn four_engines_find_what_one_finds() {
 
 #[test]
 fn a_shard_says_how_far_it_is_and_may_be_stopped() {
-    let mut engine = engine();
+    let mut engine = learner();
     let plan = planned(&mut engine, Matrix::Cross { folds: 2, by: By::Row });
     engine.start(9, Request::RunShard { plan: plan.write(), runs: vec![1, 0] });
     let (9, Event::Experimenting(progress)) = next(&mut engine) else { panic!() };
@@ -101,8 +85,8 @@ fn a_shard_says_how_far_it_is_and_may_be_stopped() {
 
 #[test]
 fn every_matrix_has_its_runs() {
-    let mut engine = engine();
-    let none = Request::PlanRuns { matrix: Matrix::Once, settings: Box::new(settings(2)) };
+    let mut engine = learner();
+    let none = Request::PlanRuns { matrix: Matrix::Once, settings: settings(2) };
     assert_eq!(refused(&mut engine, none), "Nothing is held out: part the corpus first.");
     let put = Request::Decide { rows: vec![4, 5], verdict: Verdict::Put(Half::HeldOut) };
     pump(&mut engine, 5, put);
@@ -148,20 +132,19 @@ fn every_matrix_has_its_runs() {
         (Matrix::Cross { folds: 1, by: By::Row }, "The folds must be between 2 and 3."),
         (Matrix::Seeds { count: 0 }, "These are 0 runs; a plan has 1 to 1000."),
     ] {
-        let request = Request::PlanRuns { matrix, settings: Box::new(settings(2)) };
+        let request = Request::PlanRuns { matrix, settings: settings(2) };
         assert_eq!(refused(&mut engine, request), said);
     }
 }
 
 #[test]
 fn a_run_of_a_plan_is_the_run_that_training_does() {
-    let mut engine = engine();
+    let mut engine = learner();
     pump(&mut engine, 5, Request::Decide { rows: vec![0], verdict: Verdict::Put(Half::HeldOut) });
     let plan = planned(&mut engine, Matrix::Once);
     let text = shard(&mut engine, &plan, vec![0]);
     let found = joined(&mut engine, &plan, vec![text]);
-    let request = Request::Learn { settings: Box::new(settings(2)), resume: None };
-    let events = pump(&mut engine, 6, request);
+    let events = pump(&mut engine, 6, learn(2));
     let Some(Event::HeldOut { judgement, .. }) = events.iter().rev().nth(1) else { panic!() };
     assert_eq!(**judgement, found.runs[0].judgement);
     assert_eq!(six().len(), 6);

@@ -1,13 +1,13 @@
 //! A corpus that is worked on in the engine: files, windows, decisions, splits, training that rests and goes on, what a
 //! model makes of the rows and what it learned.
 
-use super::{SIX, next, only, pump, refused, six};
+use super::{SIX, file, learn, next, only, pump, refused, settings, six};
 use groundling::learn::experiment::By;
 use groundling::learn::sheet::Deed;
 use groundling::worker::protocol::{
     Care, Decision, EntrySort, EntryView, Envelope, Event, Form, Half, Lexicon, MappedFile,
-    Mapping, Outcome, Request, Rule, Rules, SeedLexicon, Settings, SheetReport, Split, Status,
-    VERSION, Verdict, View, Window, decode, encode,
+    Mapping, Outcome, Request, Rule, Rules, Settings, SheetReport, Split, Status, VERSION, Verdict,
+    View, Window, decode, encode,
 };
 use groundling::worker::{Engine, Learner};
 
@@ -25,12 +25,6 @@ fn ask(engine: &mut Engine<Learner>, request: Request) -> Vec<Event> {
         assert!(decode::<Event>(&bytes[..bytes.len() - 1]).is_err());
     }
     events
-}
-
-pub(super) fn file(name: &str, text: &str) -> MappedFile {
-    use groundling::worker::protocol::CorpusFile;
-    let file = CorpusFile { name: name.to_owned(), bytes: text.into() };
-    MappedFile { file, mapping: Mapping::default() }
 }
 
 fn open(engine: &mut Engine<Learner>, files: Vec<MappedFile>) -> SheetReport {
@@ -78,13 +72,37 @@ pub(super) fn sheet() -> Engine<Learner> {
     engine
 }
 
-fn settings(epochs: u32) -> Box<Settings> {
-    let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
-    Box::new(Settings { lexicon, epochs, ..Settings::default() })
-}
-
-pub(super) fn learn(epochs: u32) -> Request {
-    Request::Learn { settings: settings(epochs), resume: None }
+#[test]
+fn what_was_decided_holds_for_the_same_rows_once_more() {
+    let mut engine = sheet();
+    let why = Verdict::Reject("too, \"vague\"".to_owned());
+    care(&mut engine, Request::Decide { rows: vec![2, 3, 5], verdict: why });
+    care(&mut engine, Request::Decide { rows: vec![0], verdict: Verdict::Approve });
+    care(&mut engine, Request::Decide { rows: vec![7], verdict: Verdict::Reopen });
+    care(&mut engine, Request::Decide { rows: vec![8, 9], verdict: Verdict::Put(Half::HeldOut) });
+    let text = |engine: &mut Engine<Learner>| match only(ask(engine, Request::Decisions)) {
+        Event::Decisions { text } => text,
+        other => panic!("{other:?}"),
+    };
+    let (decided, lines) = (text(&mut engine), window(&mut engine, View::default()).lines);
+    let mut other = sheet();
+    assert_ne!(text(&mut other), decided);
+    let after = care(&mut other, Request::TakeDecisions { text: decided.clone() });
+    assert_eq!((after.rejected, after.held_out), (3, 2));
+    assert_eq!(
+        (text(&mut other), window(&mut other, View::default()).lines),
+        (decided.clone(), lines)
+    );
+    for wrong in
+        [&decided.replace("\"8-9\"", "\"8-99\""), "{}", &decided.replacen("corpus", "korpus", 1)]
+    {
+        let said = refused(&mut other, Request::TakeDecisions { text: wrong.to_owned() });
+        assert!(said.starts_with("The decisions cannot be read: "), "{said}");
+    }
+    let mut six = Engine::<Learner>::new();
+    open(&mut six, vec![file("six.csv", SIX)]);
+    let said = refused(&mut six, Request::TakeDecisions { text: decided });
+    assert_eq!(said, "The decisions cannot be read: they are of other rows.");
 }
 
 #[test]

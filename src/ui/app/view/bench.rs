@@ -1,6 +1,5 @@
 //! The page's side of the workbench: imports the module `workbench.js`, whose view stands beside the page's own, brings
 //! it files, and keeps it told of what it shows of the page.
-
 use crate::ui::app::action::{Action, View};
 use crate::ui::app::state::{Bench, State};
 use crate::ui::page::document::{Model, Origin};

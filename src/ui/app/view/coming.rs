@@ -1,8 +1,8 @@
 //! What stands where the workbench will, until it has come; and if it does not.
-
 use crate::ui::app::action::{Action, View};
 use crate::ui::app::state::{Bench, State};
 use crate::ui::app::words::Text;
+use crate::ui::page::view::sends::sends;
 use yew::{Callback, Html, html};
 
 /// The place of the workbench; nothing once it is there itself.
@@ -15,7 +15,7 @@ pub(super) fn coming(state: &State, act: &Callback<Action>) -> Html {
                 <section class="notice bad" role="alert" data-testid="no-workbench">
                     <p>{ (text.no_workbench)(why) }</p>
                     <button type="button" class="primary" data-testid="load-workbench"
-                        onclick={act.reform(|_| Action::Go(View::Train))}>{ text.try_again }</button>
+                        onclick={sends(act, Action::Go(View::Train))}>{ text.try_again }</button>
                 </section>
             </main>
         },

@@ -1,9 +1,9 @@
 //! What there is to say of the session: where it came from, and why it is not kept; each with what can be done.
-
 use crate::ui::app::action::Action;
 use crate::ui::page::keep::fault::Fault;
 use crate::ui::page::keep::state::{Keep, Origin};
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::page::view::sign::{Sign, sign};
 use crate::ui::page::words::Text;
 use yew::{Callback, Html, html};
@@ -13,7 +13,7 @@ pub(super) fn kept(shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let Keep { origin, fault, .. } = &shared.keep;
     let press = |id: &'static str, words: &'static str, action: Action| {
-        let press = act.reform(move |_| action.clone());
+        let press = sends(act, action);
         html! { <button type="button" class="link" data-testid={id} onclick={press}>{ words }</button> }
     };
     html! {

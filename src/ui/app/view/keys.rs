@@ -1,5 +1,4 @@
 //! Keys that work wherever one is on the page: undo, redo, and the list of them.
-
 use crate::ui::app::action::Action;
 use crate::ui::page::view::host;
 use wasm_bindgen::JsCast;

@@ -1,11 +1,11 @@
 //! The head of the page: its name, the views, how deep to look, undo, share, language.
-
 use crate::ui::app::action::{Action, View};
 use crate::ui::app::state::State;
 use crate::ui::app::words::Text;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::page::view::sign::{Sign, sign};
 use crate::ui::page::words::Text as Common;
 use crate::ui::talk;
@@ -22,7 +22,7 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
     let link = |to: View, words: &'static str, href: &'static str, id: &'static str| {
         let current = (to == *view).then_some("page");
         // The address may name this view already, when a file that was dropped led elsewhere.
-        let go = act.reform(move |_| Action::Go(to));
+        let go = sends(act, Action::Go(to));
         html! { <a {href} aria-current={current} data-testid={id} onclick={go}>{ words }</a> }
     };
     let speak = act.reform(|event: Event| {
@@ -45,7 +45,7 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
                         { for Depth::ALL.into_iter().map(|to| html! {
                             <button type="button" aria-pressed={(to == *depth).to_string()}
                                 title={text.depth_help(to)} data-testid={format!("depth-{to:?}").to_ascii_lowercase()}
-                                onclick={act.reform(move |_| Action::Deepen(to))}>{ text.depth_name(to) }</button>
+                                onclick={sends(act, Action::Deepen(to))}>{ text.depth_name(to) }</button>
                         }) }
                     </div>
                     { sign("undo", text.undo, Sign::Undo, !history.can_undo(), act.reform(|()| Action::Undo)) }

@@ -1,5 +1,4 @@
 //! The root component: holds the state, hands every action to the reducer and every effect to [`Effects`].
-
 use super::address;
 use super::coming::coming;
 use super::effects::Effects;

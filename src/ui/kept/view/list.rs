@@ -5,7 +5,7 @@ use crate::ui::kept::words::Text;
 use crate::ui::page::keep::copies::Item;
 use crate::ui::page::keep::fault::Fault;
 use crate::ui::page::language::Language;
-use crate::ui::page::view::save::save;
+use crate::ui::page::view::save::save_bytes;
 use crate::ui::page::view::store::Store;
 use js_sys::{Date, Object};
 use std::rc::Rc;
@@ -48,9 +48,13 @@ async fn act(
 ) -> Result<(), Fault> {
     match does {
         "export" => {
-            if let Some((text, _)) = store.read(kind, name).await? {
-                let end = if kind == "session" { "json" } else { "txt" };
-                let _ = save(&format!("{kind}-{name}.{end}"), &text);
+            if let Some((bytes, _)) = store.read(kind, name).await? {
+                let end = match kind {
+                    "session" | "run" => "json",
+                    "model" => "model",
+                    _ => "txt",
+                };
+                let _ = save_bytes(&format!("{kind}-{name}.{end}"), &bytes);
             }
         }
         "delete" | "delete-all" => {

@@ -13,8 +13,10 @@ pub(super) static ENGLISH: Text = Text {
     kinds: [
         ("own", "Your session"),
         ("before", "The session before that"),
-        ("corpus", "The corpus of a session"),
         ("session", "The session of a link"),
+        ("corpus", "Corpus"),
+        ("run", "Training run"),
+        ("model", "Model"),
     ],
     save: "Save as a file",
     delete: "Delete",

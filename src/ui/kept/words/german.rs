@@ -13,8 +13,10 @@ pub(super) static GERMAN: Text = Text {
     kinds: [
         ("own", "Deine Sitzung"),
         ("before", "Die Sitzung davor"),
-        ("corpus", "Das Korpus einer Sitzung"),
         ("session", "Die Sitzung eines Links"),
+        ("corpus", "Korpus"),
+        ("run", "Lauf des Trainings"),
+        ("model", "Modell"),
     ],
     save: "Als Datei sichern",
     delete: "Löschen",

@@ -9,7 +9,7 @@ pub struct Text {
     pub what: &'static str,
     pub when: &'static str,
     pub size: &'static str,
-    pub kinds: [(&'static str, &'static str); 4],
+    pub kinds: [(&'static str, &'static str); 6],
     pub save: &'static str,
     pub delete: &'static str,
     pub delete_all: &'static str,
@@ -19,7 +19,13 @@ pub struct Text {
 impl Text {
     /// What is kept of a kind under a name.
     pub fn item(&self, kind: &str, name: &str) -> String {
-        let known = self.kinds.iter().find(|(first, _)| *first == kind || *first == name);
-        known.map_or_else(|| format!("{kind} {name}"), |(_, words)| (*words).to_owned())
+        let known = |wanted: &str| self.kinds.iter().find(|(known, _)| *known == wanted);
+        match (kind, known(name), known(kind)) {
+            ("session", Some((_, words)), _) | ("session", None, Some((_, words))) => {
+                (*words).to_owned()
+            }
+            (_, _, Some((_, words))) => format!("{words}: {name}"),
+            (..) => format!("{kind} {name}"),
+        }
     }
 }

@@ -43,7 +43,7 @@ pub fn newest_first(mut entries: Vec<Entry>) -> Vec<Entry> {
 }
 
 /// A text that is kept, as a person sees it: the copies together.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Item {
     /// What kind of text it is.
     pub kind: String,

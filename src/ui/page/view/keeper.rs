@@ -1,10 +1,11 @@
 //! The page's side of the keeper: imports the module `keeper.js`, asks it in turn, and tells the page what it says.
 
+use super::forms::{self, Forms};
 use super::host;
 use super::module::import;
 use crate::ui::page::keep::ask::{Ask, News, Place};
 use crate::ui::page::keep::fault::Fault;
-use js_sys::{Array, JsString, Promise};
+use js_sys::{Array, JsString, Promise, Uint8Array};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::prelude::{Closure, wasm_bindgen};
@@ -20,21 +21,29 @@ pub(crate) const LIST: &str = "kept-list";
 extern "C" {
     /// The keeper's exports.
     #[derive(Clone)]
-    type Module;
+    pub(crate) type Module;
     #[wasm_bindgen(method, structural)]
     fn open(this: &Module, name: &str, told: &JsValue) -> Promise;
     #[wasm_bindgen(method, structural)]
-    fn claim(this: &Module, name: &str, steal: bool, told: &JsValue) -> Promise;
+    pub(crate) fn claim(this: &Module, name: &str, steal: bool, told: &JsValue) -> Promise;
 
     /// The store, open.
     #[derive(Clone)]
-    type Store;
+    pub(crate) type Store;
     #[wasm_bindgen(method, structural)]
     fn write(this: &Store, kind: &str, name: &str, text: &str) -> Promise;
     #[wasm_bindgen(method, structural)]
     fn read(this: &Store, kind: &str, name: &str) -> Promise;
     #[wasm_bindgen(method, structural)]
     fn show(this: &Store, into: &Element, language: &str) -> Promise;
+    #[wasm_bindgen(method, structural)]
+    pub(crate) fn write_bytes(this: &Store, kind: &str, name: &str, bytes: &Uint8Array) -> Promise;
+    #[wasm_bindgen(method, structural)]
+    pub(crate) fn read_bytes(this: &Store, kind: &str, name: &str) -> Promise;
+    #[wasm_bindgen(method, structural)]
+    pub(crate) fn list(this: &Store) -> Promise;
+    #[wasm_bindgen(method, structural)]
+    pub(crate) fn delete(this: &Store, kind: &str, name: &str) -> Promise;
 }
 
 /// The keeper, as far as it has come.
@@ -83,9 +92,13 @@ impl Keeper {
             }
             Ask::Read(place) => {
                 let found = read(&store, &place).await?;
+                let forms: &Forms = module.unchecked_ref();
+                let found = found
+                    .map(|(text, damaged)| (forms::packed(forms.read_session(&text)), damaged));
                 News::Read(place, found)
             }
-            Ask::Write(Place { kind, name }, text) => {
+            Ask::Write(Place { kind, name }, packed) => {
+                let text = module.unchecked_ref::<Forms>().write_session(&packed);
                 JsFuture::from(store.write(&kind, &name, &text)).await?;
                 News::Written
             }
@@ -114,7 +127,8 @@ impl Keeper {
     }
 }
 
-async fn load(told: &JsValue) -> Result<(Module, Store), JsValue> {
+/// The keeper and its store, once they have come; `told` is called with a fault that comes later.
+pub(crate) async fn load(told: &JsValue) -> Result<(Module, Store), JsValue> {
     let module: Module = import("keeper.js", 0).await?.unchecked_into();
     let store = JsFuture::from(module.open(&scoped("")?, told)).await?.unchecked_into();
     Ok((module, store))
@@ -130,7 +144,7 @@ async fn read(
 }
 
 /// A name of this site's own: others of the same host have theirs.
-fn scoped(name: &str) -> Result<String, JsValue> {
+pub(crate) fn scoped(name: &str) -> Result<String, JsValue> {
     // The page's own address without its file and what stands behind.
     Ok(format!("groundling {} {name}", host::beside(".")?.href()))
 }

@@ -1,5 +1,5 @@
-//! The store in IndexedDB: an index of copies and their texts, so that what is kept can be listed without being read.
-//! Linked by the program `keeper` alone.
+//! The store in IndexedDB: an index of copies and what they hold, texts or bytes, so that what is kept can be listed
+//! without being read. Linked by the program `keeper`; what its errors mean, `collect` knows by it as well.
 
 use crate::ui::page::keep::copies::{COPIES, Entry, Item, items, key, newest_first, next};
 use crate::ui::page::keep::fault::Fault;
@@ -7,16 +7,45 @@ use idb::{
     Database, DatabaseEvent, Error, Factory, ObjectStore, ObjectStoreParams, Transaction,
     TransactionMode, TransactionResult,
 };
-use js_sys::Date;
+use js_sys::{Date, Promise, Uint8Array};
 use std::cell::Cell;
 use std::rc::Rc;
 use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
 use web_sys::DomException;
 
 /// The version of the store's form. It counts from 2, so that there is an older one to be tried with.
 const VERSION: u32 = 2;
 const INDEX: &str = "index";
 const TEXTS: &str = "texts";
+
+/// Bytes whose checksum is made at once: some milliseconds of work.
+const PART: usize = 2_000_000;
+
+/// What is to be kept.
+#[derive(Clone, Copy, Debug)]
+pub enum Content<'a> {
+    /// A text.
+    Text(&'a str),
+    /// Bytes.
+    Bytes(&'a [u8]),
+}
+
+impl Content<'_> {
+    const fn bytes(&self) -> &[u8] {
+        match self {
+            Content::Text(text) => text.as_bytes(),
+            Content::Bytes(bytes) => bytes,
+        }
+    }
+
+    fn value(&self) -> JsValue {
+        match self {
+            Content::Text(text) => (*text).into(),
+            Content::Bytes(bytes) => Uint8Array::from(*bytes).into(),
+        }
+    }
+}
 
 /// The store, open.
 pub struct Store(Database);
@@ -48,7 +77,7 @@ impl Store {
             });
             upgrading.set(made.is_err());
         });
-        let mut database = request.await.map_err(|error| match fault(&error) {
+        let mut database = request.await.map_err(|error| match fault_of(&error) {
             Fault::Other(_) => Fault::None,
             fault => fault,
         })?;
@@ -65,38 +94,43 @@ impl Store {
         Ok(Store(database))
     }
 
-    /// Keeps a text under a kind and a name.
+    /// Keeps something under a kind and a name.
     ///
     /// # Errors
     /// When there is no room, or the store is gone.
-    pub async fn write(&self, kind: &str, name: &str, text: &str) -> Result<(), Fault> {
+    pub async fn write(&self, kind: &str, name: &str, content: Content<'_>) -> Result<(), Fault> {
+        let sum = sum(content.bytes()).await;
         let (transaction, index, texts) = self.begin(TransactionMode::ReadWrite)?;
         let (copy, number) = next(&entries(&index, kind, name).await?);
-        let sum = blake3::hash(text.as_bytes()).to_hex().to_string();
-        let (kind, name, bytes, at) = (kind.to_owned(), name.to_owned(), text.len(), Date::now());
+        let bytes = content.bytes().len();
+        let (kind, name, at) = (kind.to_owned(), name.to_owned(), Date::now());
         let place = JsValue::from(key(&kind, &name, copy));
         let entry = Entry { kind, name, copy, number, bytes, sum, at };
         // Strings and numbers only: JSON can hold them all.
         let entry = serde_json::to_string(&entry).unwrap_or_default();
-        texts.put(&text.into(), Some(&place)).map_err(of)?.await.map_err(of)?;
+        texts.put(&content.value(), Some(&place)).map_err(of)?.await.map_err(of)?;
         index.put(&entry.into(), Some(&place)).map_err(of)?.await.map_err(of)?;
-        end(transaction).await
+        finish(transaction).await
     }
 
-    /// The text under a kind and a name, and whether the newest copy of it was damaged.
+    /// The bytes under a kind and a name, and whether the newest copy of them was damaged.
     ///
     /// # Errors
     /// When every copy is damaged, or the store is gone.
-    pub async fn read(&self, kind: &str, name: &str) -> Result<Option<(String, bool)>, Fault> {
-        let (_, index, texts) = self.begin(TransactionMode::ReadOnly)?;
+    pub async fn read(&self, kind: &str, name: &str) -> Result<Option<(Vec<u8>, bool)>, Fault> {
+        let (_, index, _) = self.begin(TransactionMode::ReadOnly)?;
         let entries = newest_first(entries(&index, kind, name).await?);
         let is_kept = !entries.is_empty();
         for (turn, entry) in entries.into_iter().enumerate() {
             let place = JsValue::from(key(kind, name, entry.copy));
-            let text = texts.get(place).map_err(of)?.await.map_err(of)?;
-            let text = text.and_then(|text| text.as_string()).unwrap_or_default();
-            if blake3::hash(text.as_bytes()).to_hex().as_str() == entry.sum {
-                return Ok(Some((text, turn > 0)));
+            // While a checksum is made a transaction ends by itself.
+            let (_, _, texts) = self.begin(TransactionMode::ReadOnly)?;
+            let kept = texts.get(place).map_err(of)?.await.map_err(of)?.unwrap_or_default();
+            let text = kept.as_string().map(String::into_bytes);
+            let bytes = || kept.dyn_ref::<Uint8Array>().map(Uint8Array::to_vec);
+            let bytes = text.or_else(bytes).unwrap_or_default();
+            if sum(&bytes).await == entry.sum {
+                return Ok(Some((bytes, turn > 0)));
             }
         }
         if is_kept { Err(Fault::Damaged) } else { Ok(None) }
@@ -128,7 +162,7 @@ impl Store {
                 store.delete(place).map_err(of)?.await.map_err(of)?;
             }
         }
-        end(transaction).await
+        finish(transaction).await
     }
 
     fn begin(
@@ -140,6 +174,25 @@ impl Store {
         let texts = transaction.object_store(TEXTS).map_err(of)?;
         Ok((transaction, index, texts))
     }
+}
+
+/// BLAKE3 of bytes, in hexadecimal, made in parts: the page goes on between them.
+async fn sum(bytes: &[u8]) -> String {
+    let mut hasher = blake3::Hasher::new();
+    for (turn, part) in bytes.chunks(PART).enumerate() {
+        if turn > 0 {
+            let soon = Promise::new(&mut |done, _| {
+                let set = web_sys::window().map(|window| window.set_timeout_with_callback(&done));
+                // Without a timer it goes on at once.
+                if !matches!(set, Some(Ok(_))) {
+                    let _ = done.call0(&JsValue::NULL);
+                }
+            });
+            let _ = JsFuture::from(soon).await;
+        }
+        hasher.update(part);
+    }
+    hasher.finalize().to_hex().to_string()
 }
 
 /// The copies that there are of a text.
@@ -157,7 +210,10 @@ fn entry(value: &JsValue) -> Option<Entry> {
 }
 
 /// Waits until everything of a transaction is kept.
-async fn end(transaction: Transaction) -> Result<(), Fault> {
+///
+/// # Errors
+/// When it is not, most of all for want of room.
+pub(crate) async fn finish(transaction: Transaction) -> Result<(), Fault> {
     match transaction.commit().map_err(of)?.await.map_err(of)? {
         TransactionResult::Committed => Ok(()),
         // Nothing here takes a change back: the browser did, which it does for want of room.
@@ -166,11 +222,11 @@ async fn end(transaction: Transaction) -> Result<(), Fault> {
 }
 
 fn of(error: Error) -> Fault {
-    fault(&error)
+    fault_of(&error)
 }
 
 /// What an error of the browser means here.
-fn fault(error: &Error) -> Fault {
+pub(crate) fn fault_of(error: &Error) -> Fault {
     let name = match error {
         Error::DomException(exception) => exception.name(),
         Error::AddFailed(value)

@@ -1,10 +1,10 @@
 //! What a command was taken to mean: its words, the goal in plain words, and why nothing came of it, with help.
-
 use super::choices::choices;
 use super::teach::not_taught;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::ask::question;
 use crate::ui::talk::command::link::{Link, holds};
@@ -65,7 +65,7 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             { choices(state, shared, act) }
             if !live && answered(shared).is_some() {
                 <button type="button" class="quiet remember" data-testid="remember" disabled={is_teaching(shared)}
-                    onclick={act.reform(|_| Action::Remember)}>{ text.remember }</button>
+                    onclick={sends(act, Action::Remember)}>{ text.remember }</button>
             }
             if state.room.mode == Mode::Watch { { not_taught(state, shared, act) } }
         </div>
@@ -94,7 +94,7 @@ fn deeper(text: &'static Text, depth: Depth, act: &Callback<Action>) -> Html {
     };
     html! {
         <button type="button" class="link deeper" data-testid={id}
-            onclick={act.reform(move |_| Action::Deepen(to))}>{ words }</button>
+            onclick={sends(act, Action::Deepen(to))}>{ words }</button>
     }
 }
 
@@ -142,7 +142,7 @@ fn tell(text: &Text, message: &Message, words: &[Word], act: &Callback<Action>) 
                         let done = help.clone();
                         html! {
                             <button type="button" class="quiet" data-testid="help" data-help={kind(help)}
-                                onclick={act.reform(move |_| Action::Help(done.clone()))}>
+                                onclick={sends(act, Action::Help(done.clone()))}>
                                 { text.help(help, words) }
                             </button>
                         }

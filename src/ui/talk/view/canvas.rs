@@ -2,7 +2,6 @@
 //! was lost or it is slow; a renderer without a GPU draws the first picture and SVG whatever changes. A step glides from
 //! cell to cell; a jump, or a person who prefers less motion, does not.
 //! Nothing is built or drawn while nothing changes. A pointer is told in cells.
-
 use super::observer::Observer;
 use super::pace::Pace;
 use crate::domain::State;

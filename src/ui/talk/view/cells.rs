@@ -1,5 +1,4 @@
 //! The world cell by cell, as a table: what the picture shows, for those who do not see it.
-
 use crate::domain::State;
 use crate::render::Grid;
 use crate::ui::page::language::Language;

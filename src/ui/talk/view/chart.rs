@@ -1,6 +1,5 @@
 //! Charts as SVG: a planner's residual and bounds over its steps, what the colours of values stand for, and a share
 //! with its interval. All take their breadth from the page.
-
 use crate::render::{Rgba, Theme};
 use crate::ui::talk::watch::chart::Chart;
 use crate::ui::talk::words::Text;

@@ -1,10 +1,10 @@
 //! A question: the readings to choose from side by side, each with where its goal would hold; chosen by a press, by
 //! number, or by arrows and Enter.
-
 use crate::render::Options;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::host;
 use crate::ui::page::view::picture::Picture;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::ask::question;
 use crate::ui::talk::command::state::CHOICES;
@@ -51,11 +51,11 @@ pub(super) fn choices(state: &State, shared: &Shared, act: &Callback<Action>) ->
                     Some(html! {
                         <button type="button" {id} class="choice" data-testid="choice" onkeydown={press(at)}
                             aria-keyshortcuts={(at + 1).to_string()}
-                            onclick={act.reform(move |_| Action::Choose(place))}
-                            onmouseenter={act.reform(move |_| Action::Preview(Some(place)))}
-                            onmouseleave={act.reform(|_| Action::Preview(None))}
-                            onfocus={act.reform(move |_| Action::Preview(Some(place)))}
-                            onblur={act.reform(|_| Action::Preview(None))}>
+                            onclick={sends(act, Action::Choose(place))}
+                            onmouseenter={sends(act, Action::Preview(Some(place)))}
+                            onmouseleave={sends(act, Action::Preview(None))}
+                            onfocus={sends(act, Action::Preview(Some(place)))}
+                            onblur={sends(act, Action::Preview(None))}>
                             <span class="number" aria-hidden="true">{ at + 1 }</span>
                             <span>{ text.phrases.sentence(&reading.claim) }</span>
                             <Picture world={(*said.world).clone()} {options} label={text.where_it_holds} />
@@ -64,7 +64,7 @@ pub(super) fn choices(state: &State, shared: &Shared, act: &Callback<Action>) ->
                 }) }
             </div>
             <button type="button" class="quiet" data-testid="none-of-these"
-                onclick={act.reform(|_| Action::Help(Help::Teach))}>{ text.none_of_these }</button>
+                onclick={sends(act, Action::Help(Help::Teach))}>{ text.none_of_these }</button>
         </section>
     }
 }

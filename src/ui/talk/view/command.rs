@@ -1,7 +1,7 @@
 //! The command box, and commands to try.
-
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::ask::is_asking;
 use crate::ui::talk::command::offer::{Examples, KINDS};
@@ -44,7 +44,7 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
                     data-said={said} oninput={typed} onkeydown={recall} aria-describedby="say-hint" placeholder={text.what_to_do} />
                 if is_asking(shared) {
                     <button type="button" class="primary" data-testid="stop"
-                        onclick={act.reform(|_| Action::StopPlanning)}>{ text.stop }</button>
+                        onclick={sends(act, Action::StopPlanning)}>{ text.stop }</button>
                 } else {
                     <button type="submit" class="primary" data-testid="ask" disabled={!shared.can_ask_soon()}>
                         { text.tell }
@@ -57,7 +57,7 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
                     <p>{ words }</p>
                     <p class="buttons">
                         <button type="button" class="quiet" data-testid="fetch-model"
-                            onclick={act.reform(|_| Action::FetchModel)}>{ text.try_again }</button>
+                            onclick={sends(act, Action::FetchModel)}>{ text.try_again }</button>
                         <a class="quiet" href="#train">{ text.train_one }</a>
                     </p>
                 </div>

@@ -1,5 +1,4 @@
 //! The plan and how it is played: play, pause, step, scrub, speed; what happened that nobody expected.
-
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::sign::{Sign, sign};
 use crate::ui::talk::action::Action;

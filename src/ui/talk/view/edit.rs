@@ -1,8 +1,8 @@
 //! Changing the room: tools, and other worlds: those that come with the page, random ones, and as text.
-
 use crate::domain::{Blueprint, Color, Lock, Shape, Size, Style};
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::select::select;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::room::edit::Look;
 use crate::ui::talk::room::state::{Room, Tool};
@@ -21,7 +21,7 @@ pub(super) fn tools(state: &State, shared: &Shared, act: &Callback<Action>) -> H
                 { for Tool::ALL.into_iter().map(|tool| html! {
                     <button type="button" aria-pressed={(tool == room.tool).to_string()}
                         data-testid={format!("tool-{tool:?}").to_ascii_lowercase()}
-                        onclick={act.reform(move |_| Action::Take(tool))}>{ text.tool_name(tool) }</button>
+                        onclick={sends(act, Action::Take(tool))}>{ text.tool_name(tool) }</button>
                 }) }
             </div>
             { settings(text, room, act) }
@@ -113,7 +113,7 @@ pub(super) fn worlds(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             </form>
             <p class="buttons">
                 <button type="button" class="quiet" data-testid="world-text" aria-expanded={drawing.is_some().to_string()}
-                    onclick={act.reform(|_| Action::ToggleText)}>
+                    onclick={sends(act, Action::ToggleText)}>
                     { if drawing.is_some() { text.hide_text } else { text.as_text } }</button>
             </p>
             if let Some(drawing) = drawing { { as_text(text, drawing, act) } }
@@ -137,9 +137,9 @@ fn as_text(text: &'static Text, drawing: &str, act: &Callback<Action>) -> Html {
                 value={drawing.to_owned()} oninput={changed} />
             <p class="buttons">
                 <button type="button" class="plain" data-testid="apply-text"
-                    onclick={act.reform(|_| Action::ApplyText)}>{ text.open_this }</button>
+                    onclick={sends(act, Action::ApplyText)}>{ text.open_this }</button>
                 <button type="button" class="quiet" data-testid="copy-text"
-                    onclick={act.reform(move |_| copied.clone())}>{ text.copy }</button>
+                    onclick={sends(act, copied)}>{ text.copy }</button>
             </p>
         </div>
     }

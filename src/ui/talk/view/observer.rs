@@ -1,5 +1,4 @@
 //! Watches an element's size.
-
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::Closure;
 use web_sys::{Element, ResizeObserver};

@@ -1,8 +1,8 @@
 //! What lies over the room's picture: the names of the rooms, what a finger can take hold of, and the question what
 //! something means that was taken elsewhere.
-
 use crate::render::Extent;
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::room::moved::Meant;
 use crate::ui::talk::room::names::names;
@@ -42,7 +42,7 @@ pub(super) fn question(state: &State, shared: &Shared, act: &Callback<Action>) -
         ((share * PLACES) as i32).clamp(0, PLACES as i32 - 1).to_string()
     };
     let (x, y) = moved.at;
-    let mean = |meant: Meant| act.reform(move |_| Action::Mean(meant));
+    let mean = |meant: Meant| sends(act, Action::Mean(meant));
     html! {
         <div class="moved" role="group" aria-label={text.moved} data-testid="moved"
             data-x={place(x, extent.left, extent.columns)} data-y={place(y, extent.bottom, extent.rows)}>

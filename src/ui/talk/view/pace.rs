@@ -1,6 +1,5 @@
 //! How fast pictures come. Where the browser does not say that it draws in software, time tells it: a machine that takes
 //! a good part of a second for a picture is better served by plainer ones.
-
 use crate::ui::page::view::host;
 
 /// From one frame to the next, in milliseconds: longer is slow.

@@ -1,6 +1,6 @@
 //! What was said before, the latest first: a press says it again, another goes on from after it.
-
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::past::state::Outcome;
 use crate::ui::talk::state::State;
@@ -34,11 +34,11 @@ pub(super) fn past(state: &State, shared: &Shared, act: &Callback<Action>) -> Ht
                     html! {
                         <li>
                             <button type="button" class="link" lang="en" data-testid="again" title={text.say_again}
-                                onclick={act.reform(move |_| Action::AskExample(command.clone()))}>{ &line.command }</button>
+                                onclick={sends(act, Action::AskExample(command.clone()))}>{ &line.command }</button>
                             <span class="dim" data-testid="outcome">{ outcome(line.outcome) }</span>
                             <button type="button" class="link" data-testid="go-on"
                                 aria-label={(text.go_on_after)(&line.command)}
-                                onclick={act.reform(move |_| Action::GoOn(place))}>{ text.go_on }</button>
+                                onclick={sends(act, Action::GoOn(place))}>{ text.go_on }</button>
                         </li>
                     }
                 }) }

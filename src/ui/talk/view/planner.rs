@@ -1,9 +1,9 @@
 //! The planner: what is shown of its policy in the room, which solver it was and why, what it proved, and how often
 //! the policy gets there.
-
 use super::chart::{bounds, interval, legend};
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::room::overlay;
 use crate::ui::talk::state::State;
@@ -27,7 +27,7 @@ pub(super) fn planner(state: &State, shared: &Shared, act: &Callback<Action>) ->
                 { for Layer::ALL.into_iter().map(|layer| html! {
                     <label class="check">
                         <input type="checkbox" checked={watch.shows(layer)} data-testid={format!("layer-{layer:?}").to_ascii_lowercase()}
-                            onchange={act.reform(move |_| Action::ToggleLayer(layer))} />
+                            onchange={sends(act, Action::ToggleLayer(layer))} />
                         { text.layer_name(layer) }
                     </label>
                 }) }
@@ -59,7 +59,7 @@ pub(super) fn planner(state: &State, shared: &Shared, act: &Callback<Action>) ->
             }
             <p class="buttons">
                 <button type="button" class="plain" data-testid="try-many" disabled={!watch.has_policy || rolling}
-                    onclick={act.reform(|_| Action::TryMany)}>{ (text.try_many)(RUNS) }</button>
+                    onclick={sends(act, Action::TryMany)}>{ (text.try_many)(RUNS) }</button>
             </p>
             if let Some(runs) = watch.runs { { outcome(text, &runs) } }
         </section>

@@ -1,6 +1,5 @@
 //! A derivation as a picture to point at: every node takes the focus in turn (arrow keys walk from one to the next),
 //! and what is pointed at here or elsewhere is shown by its words.
-
 use crate::ui::page::view::host;
 use crate::ui::talk::proof::{self, Kind, Text, Toward, step};
 use crate::worker::protocol::{Node, Piece};

@@ -1,10 +1,10 @@
 //! The readings of a command: what each says, what tells it from the best, where its goal would be; and what its
 //! phrases stand for.
-
 use crate::render::Options;
 use crate::ui::page::document::Said;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::picture::Picture;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::link::{self, Link};
 use crate::ui::talk::state::State;
@@ -43,11 +43,11 @@ pub(super) fn readings(state: &State, shared: &Shared, act: &Callback<Action>) -
                         <li key={reading.form.clone()}>
                             <button type="button" aria-pressed={(place == *chosen).to_string()}
                                 class="reading" data-testid="reading"
-                                onclick={act.reform(move |_| Action::Choose(place))}
-                                onmouseenter={act.reform(move |_| Action::Preview(Some(place)))}
-                                onmouseleave={act.reform(|_| Action::Preview(None))}
-                                onfocus={act.reform(move |_| Action::Preview(Some(place)))}
-                                onblur={act.reform(|_| Action::Preview(None))}>
+                                onclick={sends(act, Action::Choose(place))}
+                                onmouseenter={sends(act, Action::Preview(Some(place)))}
+                                onmouseleave={sends(act, Action::Preview(None))}
+                                onfocus={sends(act, Action::Preview(Some(place)))}
+                                onblur={sends(act, Action::Preview(None))}>
                                 <Picture world={(**world).clone()} {options} label={text.where_it_holds} />
                                 <span class="reading-words">
                                     <span data-testid="reading-plain">{ text.phrases.sentence(&reading.claim) }</span>
@@ -64,7 +64,7 @@ pub(super) fn readings(state: &State, shared: &Shared, act: &Callback<Action>) -
             if shown < answer.readings.len() {
                 <p class="buttons">
                     <button type="button" class="quiet" data-testid="more-readings"
-                        onclick={act.reform(|_| Action::AllReadings)}>{ text.all_readings }</button>
+                        onclick={sends(act, Action::AllReadings)}>{ text.all_readings }</button>
                 </p>
             }
             if let Some(reading) = answer.readings.get(*chosen) {
@@ -114,10 +114,10 @@ fn phrases(text: &Text, reading: &Reading, link: Option<Link>, act: &Callback<Ac
                         <li>
                             <button type="button" data-testid="phrase"
                                 class={classes!("phrase", link::covers(link, own).then_some("linked"))}
-                                onmouseenter={act.reform(move |_| over.clone())}
-                                onmouseleave={act.reform(|_| Action::Link(None))}
-                                onfocus={act.reform(move |_| focus.clone())}
-                                onblur={act.reform(|_| Action::Link(None))}>
+                                onmouseenter={sends(act, over)}
+                                onmouseleave={sends(act, Action::Link(None))}
+                                onfocus={sends(act, focus)}
+                                onblur={sends(act, Action::Link(None))}>
                                 <span>{ text.phrases.noun(&phrase.noun) }</span>
                                 <span class="dim">{"→ "}{ text.phrases.list(&names) }</span>
                             </button>

@@ -1,10 +1,10 @@
 //! The room: which world is open and what the room is for, the picture, and what goes with that.
-
 use super::controls::controls;
 use super::edit::{tools, worlds};
 use super::stage::stage;
 use super::teach::lesson;
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::page::view::sign::{Sign, picture, sign};
 use crate::ui::page::world::WORLDS;
 use crate::ui::talk::action::Action;
@@ -64,7 +64,7 @@ fn turn(to: Mode, sign: Sign, text: &'static Text, mode: Mode, act: &Callback<Ac
     html! {
         <button type="button" class="turn" aria-pressed={(to == mode).to_string()} title={text.mode_help(to)}
             data-testid={format!("mode-{to:?}").to_ascii_lowercase()}
-            onclick={act.reform(move |_| Action::SetMode(next))}>
+            onclick={sends(act, Action::SetMode(next))}>
             { picture(sign) }<span>{ text.mode_name(to) }</span></button>
     }
 }

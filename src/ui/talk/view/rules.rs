@@ -1,6 +1,6 @@
 //! What can happen in the world: how the robot is driven, what it may move, and what is left to chance.
-
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::WorldRules;
@@ -50,7 +50,7 @@ pub(super) fn rules(shared: &Shared, act: &Callback<Action>) -> Html {
             { chance("rule-loss", text.loses, rules.loss, |r, loss| WorldRules { loss, ..r }) }
             <p class="buttons">
                 <button type="button" class="quiet" data-testid="other-luck" disabled={rules.is_sure()}
-                    onclick={act.reform(move |_| Action::SetRules(WorldRules { luck: rules.luck.wrapping_add(1), ..rules }))}>
+                    onclick={sends(act, Action::SetRules(WorldRules { luck: rules.luck.wrapping_add(1), ..rules }))}>
                     { text.other_luck }</button>
             </p>
         </section>

@@ -1,6 +1,6 @@
 //! The link that was made, and what was wrong with the one that the page was opened by.
-
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::page::view::sign::{Sign, sign};
 use crate::ui::page::words::Text as Common;
 use crate::ui::talk::action::Action;
@@ -35,7 +35,7 @@ pub(super) fn sharing(state: &State, shared: &Shared, act: &Callback<Action>) ->
             }
             <p class="buttons">
                 <button type="button" class="quiet" data-testid="save-session"
-                    onclick={act.reform(|_| Action::SaveSession)}>{ text.save_as_file }</button>
+                    onclick={sends(act, Action::SaveSession)}>{ text.save_as_file }</button>
             </p>
         </section>
     }

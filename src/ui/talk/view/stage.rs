@@ -1,5 +1,4 @@
 //! The room: what it is for, its picture, what is held in it; driven by a pointer or by keys.
-
 use super::canvas::Canvas;
 use super::cells::Cells;
 use super::over::{labels, question};

@@ -1,8 +1,8 @@
 //! The study of a reading: its derivation as a proof tree, the form, the reduction of a constituent's meaning step by
 //! step, and what its score is made of.
-
 use super::proof::Proof;
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::command::link::{Link, covers};
 use crate::ui::talk::command::state::Command;
@@ -74,8 +74,8 @@ fn pieces(formula: &[Piece], link: Option<Link>, act: &Callback<Action>) -> Html
         None => html! { { &piece.text } },
         Some(words) => html! {
             <span class={classes!("piece", covers(link, words).then_some("linked"))} data-testid="piece"
-                onmouseenter={act.reform(move |_| Action::Link(Some(words)))}
-                onmouseleave={act.reform(|_| Action::Link(None))}>{ &piece.text }</span>
+                onmouseenter={sends(act, Action::Link(Some(words)))}
+                onmouseleave={sends(act, Action::Link(None))}>{ &piece.text }</span>
         },
     };
     html! { <>{ for formula.iter().map(piece) }</> }
@@ -104,11 +104,11 @@ fn reduction(
             if last > 0 {
                 <p class="buttons">
                     <button type="button" class="quiet" data-testid="reduce-back" disabled={shown == 0}
-                        onclick={act.reform(move |_| Action::Reduce(shown.saturating_sub(1)))}>{ text.step_back }</button>
+                        onclick={sends(act, Action::Reduce(shown.saturating_sub(1)))}>{ text.step_back }</button>
                     <button type="button" class="quiet" data-testid="reduce" disabled={shown == last}
-                        onclick={act.reform(move |_| Action::Reduce(shown + 1))}>{ text.step_forward }</button>
+                        onclick={sends(act, Action::Reduce(shown + 1))}>{ text.step_forward }</button>
                     <button type="button" class="quiet" data-testid="reduce-all" disabled={shown == last}
-                        onclick={act.reform(move |_| Action::Reduce(last))}>{ text.all_steps }</button>
+                        onclick={sends(act, Action::Reduce(last))}>{ text.all_steps }</button>
                 </p>
             } else {
                 <p class="dim">{ text.from_lexicon }</p>

@@ -1,9 +1,9 @@
 //! Teaching: what is shown and said, what it added, and the list of what was taught.
-
 use crate::ui::page::document::Draft;
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
+use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn::is_teaching;
@@ -32,7 +32,7 @@ pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                 <li class={shows.then_some("done")}>
                     { text.show_it }
                     {" "}<button type="button" class="link" disabled={!shows} data-testid="clear-draft"
-                        onclick={act.reform(|_| Action::ClearDraft)}>{ text.show_again }</button>
+                        onclick={sends(act, Action::ClearDraft)}>{ text.show_again }</button>
                 </li>
                 <li>
                     <label for="lesson">{ text.say_it }</label>
@@ -64,7 +64,7 @@ pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>)
                 <p class="buttons">
                     { for fits.iter().enumerate().map(|(place, fit)| html! {
                         <button type="button" class="quiet" data-testid="fit"
-                            onclick={act.reform(move |_| Action::TeachFit(place))}>{ text.phrases.sentence(&fit.claim) }</button>
+                            onclick={sends(act, Action::TeachFit(place))}>{ text.phrases.sentence(&fit.claim) }</button>
                     }) }
                 </p>
             }
@@ -85,7 +85,7 @@ pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) ->
             <div class="card-head">
                 <h2 id="lessons-title">{ text.lessons }</h2>
                 <button type="button" class="quiet" data-testid="save-lessons"
-                    onclick={act.reform(|_| Action::SaveLessons)}>{ text.save_lessons }</button>
+                    onclick={sends(act, Action::SaveLessons)}>{ text.save_lessons }</button>
             </div>
             <ul class="lessons">
                 { for lessons.iter().enumerate().map(|(place, taught)| {
@@ -93,13 +93,13 @@ pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) ->
                     html! {
                         <li>
                             <button type="button" class="link" lang="en" data-testid="lesson-try"
-                                onclick={act.reform(move |_| Action::AskExample(command.clone()))}>
+                                onclick={sends(act, Action::AskExample(command.clone()))}>
                                 { &taught.lesson.command }
                             </button>
                             if !taught.understood { <span class="dim">{ text.not_understood }</span> }
                             <button type="button" class="link" data-testid="unteach"
                                 aria-label={(text.forget_lesson)(&taught.lesson.command)}
-                                onclick={act.reform(move |_| Action::Unteach(place))}>{ text.forget }</button>
+                                onclick={sends(act, Action::Unteach(place))}>{ text.forget }</button>
                         </li>
                     }
                 }) }

@@ -1,6 +1,5 @@
 //! The whole Talk page: one column at heart, with the room, what was understood and the command box; and what lies
 //! beside it, as deep as the person wants to look.
-
 use super::answer::answer;
 use super::command::{command, examples};
 use super::past::past;

@@ -60,6 +60,8 @@ pub enum Look {
     OpenHere,
     /// Pick the row that the keyboard is at, or no more.
     PickHere,
+    /// Open this row, whatever was looked at before.
+    Row(u32),
     /// Close the row that is open.
     Close,
     /// Pick a row, or no more.

@@ -40,6 +40,12 @@ pub fn look(sheet: &mut Sheet, desk: &mut Desk, action: Look) {
                 table.pick(row, !is_picked);
             }
         }
+        Look::Row(row) => {
+            table.look(|view| *view = View::default());
+            table.go(row.into());
+            sheet.open = Some(open(row, desk, sheet.is_audited));
+            desk.want(Effect::Reveal("row-title"));
+        }
         Look::Close => sheet.open = None,
         Look::Pick(row, is_picked) => table.pick(row, is_picked),
         Look::PickNone => table.picked = Rc::default(),

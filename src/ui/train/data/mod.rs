@@ -7,6 +7,7 @@ pub mod sheet;
 pub mod mapping;
 pub mod action;
 pub mod state;
+pub mod pack;
 pub mod open;
 pub mod look;
 pub mod care;

@@ -1,6 +1,7 @@
 //! Files are opened: those for the robot go to the page, all others are one corpus.
 
 use super::demo;
+use super::pack::{self, Pack};
 use super::state::{Refused, State};
 use super::words::Text;
 use crate::ui::page::files::{self, Given, Kind, Offered};
@@ -19,6 +20,7 @@ const HEAD: usize = 64;
 #[derive(Default)]
 struct Sorted {
     corpora: Vec<CorpusFile>,
+    packs: Vec<Pack>,
     given: Vec<Given>,
     mapping: Option<Mapping>,
 }
@@ -26,7 +28,7 @@ struct Sorted {
 /// Opens files: all corpora among them are one, mapped as a mapping among them says. Where one cannot be read, none is.
 /// Whether there was anything but what is for the robot.
 pub fn open(state: &mut State, desk: &mut Desk, files: Vec<Offered>) -> bool {
-    let Sorted { corpora, given, mapping } = match sorted(files, Text::of(desk.language)) {
+    let Sorted { corpora, packs, given, mapping } = match sorted(files, Text::of(desk.language)) {
         Ok(sorted) => sorted,
         Err(message) => {
             say(state, desk, message);
@@ -35,6 +37,10 @@ pub fn open(state: &mut State, desk: &mut Desk, files: Vec<Offered>) -> bool {
     };
     for given in given {
         desk.want(Effect::Tell(News::Give(given)));
+    }
+    if let Some(pack) = packs.into_iter().next() {
+        unpack(state, desk, pack);
+        return true;
     }
     let is_ours = !corpora.is_empty() || mapping.is_some();
     if corpora.is_empty() {
@@ -55,6 +61,9 @@ fn sorted(files: Vec<Offered>, text: &Text) -> Result<Sorted, String> {
         if is_mapping(&bytes) {
             let mapping = Mapping::read(&String::from_utf8_lossy(&bytes));
             sorted.mapping = Some(mapping.map_err(|wrong| format!("{name}: {wrong}."))?);
+        } else if pack::is_pack(&bytes) {
+            let pack = pack::read(&bytes);
+            sorted.packs.push(pack.map_err(|wrong| format!("{name}: {wrong}."))?);
         } else if files::kind(&name, &bytes) == Kind::Corpus {
             sorted.corpora.push(CorpusFile { name, bytes });
         } else {
@@ -73,6 +82,15 @@ pub fn read(state: &mut State, desk: &mut Desk, files: Vec<MappedFile>, with_rej
     (state.refused, state.columns) = (None, None);
     desk.learner.retain(|request| !matches!(request, Request::OpenSheet { .. }));
     desk.send(Request::OpenSheet { files, with_rejected }, false);
+}
+
+/// Opens a corpus that was kept, with what was decided of it.
+pub fn unpack(state: &mut State, desk: &mut Desk, pack: Pack) {
+    let Pack { files, with_rejected, decisions } = pack;
+    read(state, desk, files, with_rejected);
+    if let Some(text) = decisions.filter(|_| !desk.is_learning()) {
+        desk.send(Request::TakeDecisions { text }, false);
+    }
 }
 
 /// Opens the page's own sentences.

@@ -69,9 +69,21 @@ impl Sheet {
         }
     }
 
+    /// The name that it is kept under unless a person gives it one: its own, and the beginning of its fingerprint, since
+    /// files of one name may differ.
+    pub fn pack(&self) -> String {
+        let sum: String = self.report.corpus.chars().take(8).collect();
+        format!("{} {sum}", self.name)
+    }
+
     /// Whether this is the page's own corpus.
     pub fn is_demo(&self) -> bool {
         matches!(&*self.files, [only] if only.file.bytes == demo::TEXT.as_bytes())
+    }
+
+    /// Whether it is the page's own corpus, and nothing was done to it.
+    pub fn is_untouched(&self) -> bool {
+        self.is_demo() && self.log.is_empty()
     }
 
     /// Whether every row is shown with a picture.

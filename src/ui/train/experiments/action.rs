@@ -1,6 +1,7 @@
 //! What a person can do about experiments.
 
 use super::matrix::Kind;
+use super::pool::Said;
 use crate::ui::page::files::Offered;
 
 /// Something that a person did.
@@ -16,6 +17,12 @@ pub enum Action {
     Seeds(u32),
     /// Run it.
     Go,
+    /// Run one of the paper's.
+    Paper(Kind),
+    /// Run the paper's six sentences.
+    Six,
+    /// An engine of the pool said something.
+    Told(u32, Said),
     /// Stop it.
     Stop,
     /// Repeat the runs of a file.
@@ -31,6 +38,8 @@ pub enum Action {
 pub enum Saved {
     /// The figures as a table.
     Csv,
+    /// A picture of them.
+    Svg,
     /// All that was found, as JSON.
     Json,
     /// A report to be read.

@@ -1,7 +1,9 @@
-//! Experiments: runs that are planned together, run one after another, and compared.
+//! Experiments: runs that are planned together, shared out among engines, and compared.
 
 pub mod words;
 pub mod matrix;
+pub mod pool;
+pub mod picture;
 pub mod action;
 pub mod state;
 pub mod update;

@@ -1,8 +1,8 @@
 //! The state of experiments.
 
 use super::matrix::Kind;
-use crate::ui::train::desk::Desk;
-use crate::worker::protocol::{ExperimentProgress, Joined, Request};
+use super::pool::Pool;
+use crate::worker::protocol::{Demonstrated, Joined};
 use std::rc::Rc;
 
 /// All that is known of experiments.
@@ -16,8 +16,10 @@ pub struct State {
     pub by: usize,
     /// How many seeds.
     pub seeds: u32,
-    /// How far the runs at work are.
-    pub progress: Option<ExperimentProgress>,
+    /// The engines at work.
+    pub pool: Option<Pool>,
+    /// What came of the paper's six sentences.
+    pub six: Option<Rc<Demonstrated>>,
     /// What the runs found, the last experiment first.
     pub results: Vec<Rc<Found>>,
     /// What came of an experiment, when it is no result.
@@ -40,14 +42,10 @@ impl Default for State {
             folds: 5,
             by: 0,
             seeds: 5,
-            progress: None,
+            pool: None,
+            six: None,
             results: Vec::new(),
             notice: None,
         }
     }
-}
-
-/// Whether runs are at work, or will be as soon as they can.
-pub fn is_running(desk: &Desk) -> bool {
-    desk.learner.is_at(|request| matches!(request, Request::RunShard { .. }))
 }

@@ -1,33 +1,68 @@
 //! Does what a person wants about experiments.
 
 use super::action::{Action, Saved};
-use super::state::{State, is_running};
+use super::hear;
+use super::matrix::Kind;
+use super::picture::picture;
+use super::pool::{Pool, Work};
+use super::state::State;
 use super::words::Text;
 use crate::ui::page::files::Offered;
+use crate::ui::page::world::{Choice, WORLDS};
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
-use crate::worker::protocol::{By, Request, Settings};
+use crate::worker::protocol::{By, Lexicon, MappedFile, Request, SeedLexicon, Settings, Split};
+use std::rc::Rc;
 
-/// Does what a person wants, with the settings that runs have in common.
-pub fn update(state: &mut State, desk: &mut Desk, action: Action, settings: Settings) {
+/// The share that is held out for a table of the paper, where nothing is: of a hundred.
+const SHARE: u32 = 20;
+
+/// What the six sentences are followed by: a command that none of them says.
+const NEVER_HEARD: &str = "go to the blue room";
+
+/// What experiments are on.
+pub struct Ground {
+    /// The files of the corpus that is open.
+    pub files: Rc<[MappedFile]>,
+    /// Whether its rejected rows are used.
+    pub with_rejected: bool,
+    /// Rows of it that are held out.
+    pub held_out: u32,
+    /// The settings that runs have in common.
+    pub settings: Settings,
+    /// The page's own six sentences.
+    pub six: MappedFile,
+}
+
+/// Does what a person wants.
+pub fn update(state: &mut State, desk: &mut Desk, action: Action, ground: &Ground) {
     match action {
         Action::Choose(kind) => state.kind = kind,
         Action::Folds(folds) => state.folds = folds,
         Action::By(by) => state.by = by,
         Action::Seeds(seeds) => state.seeds = seeds,
-        Action::Go => {
-            state.notice = None;
-            let by = By::ALL.get(state.by).map_or(By::Command, |(_, by)| *by);
-            let matrix = state.kind.matrix(state.folds, by, state.seeds);
-            desk.ask(Request::PlanRuns { matrix, settings: Box::new(settings) });
+        Action::Go => plan(state, desk, state.kind, ground),
+        Action::Paper(kind) => {
+            if ground.held_out == 0 {
+                let seed = ground.settings.seed;
+                let split = Split::Share { by: By::Command, percent: SHARE, seed };
+                desk.ask(Request::Divide { split });
+            }
+            plan(state, desk, kind, ground);
         }
+        Action::Six => six(state, desk, ground),
+        Action::Told(seat, said) => hear::told(state, desk, seat, said),
         Action::Stop => {
-            desk.learner.retain(|request| !matches!(request, Request::RunShard { .. }));
-            if is_running(desk) {
-                desk.cancel();
+            leave(state, desk);
+            let words = Text::of(desk.language).stopped.to_owned();
+            hear::tell(state, desk, words);
+        }
+        Action::Repeat(files) => {
+            state.notice = None;
+            if let Some(Offered { bytes: Ok(bytes), .. }) = files.into_iter().next() {
+                run(state, desk, String::from_utf8_lossy(&bytes).into_owned(), ground);
             }
         }
-        Action::Repeat(files) => repeat(state, desk, files),
         Action::Save(at, what) => save(state, desk, at, what),
         Action::Forget(at) => {
             if at < state.results.len() {
@@ -37,22 +72,48 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action, settings: Sett
     }
 }
 
-/// Runs all runs of a plan.
-pub fn run(state: &mut State, desk: &mut Desk, plan: String) {
-    let Some(runs) = n_runs(&plan) else {
-        let words = Text::of(desk.language).no_plan.to_owned();
-        desk.say(words.clone());
-        state.notice = Some(words);
-        return;
-    };
-    desk.say(Text::of(desk.language).begun);
-    desk.send(Request::RunShard { plan, runs: (0..runs).collect() }, false);
+fn plan(state: &mut State, desk: &mut Desk, kind: Kind, ground: &Ground) {
+    state.notice = None;
+    let by = By::ALL.get(state.by).map_or(By::Command, |(_, by)| *by);
+    let matrix = kind.matrix(state.folds, by, state.seeds);
+    desk.ask(Request::PlanRuns { matrix, settings: Box::new(ground.settings.clone()) });
 }
 
-fn repeat(state: &mut State, desk: &mut Desk, files: Vec<Offered>) {
+/// Runs all runs of a plan.
+pub fn run(state: &mut State, desk: &mut Desk, plan: String, ground: &Ground) {
+    let Some(runs) = n_runs(&plan) else {
+        let words = Text::of(desk.language).no_plan.to_owned();
+        return hear::tell(state, desk, words);
+    };
+    let on = (ground.files.clone(), ground.with_rejected);
+    begin(state, desk, Work::Plan(plan), runs, on);
+}
+
+/// The paper's Section VII: learns from six sentences, then is told what none of them says.
+fn six(state: &mut State, desk: &mut Desk, ground: &Ground) {
     state.notice = None;
-    if let Some(Offered { bytes: Ok(bytes), .. }) = files.into_iter().next() {
-        run(state, desk, String::from_utf8_lossy(&bytes).into_owned());
+    let Some(Some(world)) = WORLDS.first().map(Choice::open) else { return };
+    let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
+    let settings = Box::new(Settings { lexicon, ..ground.settings.clone() });
+    let command = NEVER_HEARD.to_owned();
+    let request = Box::new(Request::Demonstrate { command, state: world, settings });
+    begin(state, desk, Work::One(request), 1, (Rc::from([ground.six.clone()]), false));
+}
+
+fn begin(state: &mut State, desk: &mut Desk, work: Work, runs: u32, on: (Rc<[MappedFile]>, bool)) {
+    leave(state, desk);
+    desk.say(Text::of(desk.language).begun);
+    let mut errands = Vec::new();
+    state.pool = Some(Pool::new(work, runs, desk.cores, on, &mut errands));
+    for (seat, errand) in errands {
+        desk.want(Effect::Pool(seat, errand));
+    }
+}
+
+/// Ends the engines at work.
+pub(super) fn leave(state: &mut State, desk: &mut Desk) {
+    if state.pool.take().is_some() {
+        desk.want(Effect::EndPool);
     }
 }
 
@@ -65,10 +126,11 @@ fn n_runs(plan: &str) -> Option<u32> {
 fn save(state: &State, desk: &mut Desk, at: usize, what: Saved) {
     let Some(found) = state.results.get(at) else { return };
     let (name, text) = match what {
-        Saved::Csv => ("experiment.csv", &found.joined.csv),
-        Saved::Json => ("experiment.json", &found.joined.results),
-        Saved::Report => ("experiment.md", &found.joined.markdown),
-        Saved::Plan => ("runs.json", &found.plan),
+        Saved::Csv => ("experiment.csv", found.joined.csv.clone()),
+        Saved::Svg => ("experiment.svg", picture(&found.joined, Text::of(desk.language).f1)),
+        Saved::Json => ("experiment.json", found.joined.results.clone()),
+        Saved::Report => ("experiment.md", found.joined.markdown.clone()),
+        Saved::Plan => ("runs.json", found.plan.clone()),
     };
-    desk.want(Effect::Save { name: name.to_owned(), text: text.clone() });
+    desk.want(Effect::Save { name: name.to_owned(), text });
 }

@@ -20,6 +20,8 @@ pub enum Action {
     Pick(u32, bool),
     /// The robot is to use the model without the entries that are picked.
     Without,
+    /// Open a row of the corpus.
+    Row(u32),
     /// Hold the robot's model against that of a file.
     Compare(Vec<Offered>),
 }

@@ -34,6 +34,8 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action) {
             let places = state.picked.iter().copied().collect();
             return desk.ask(Request::Without { places });
         }
+        // It is opened where the corpus is.
+        Action::Row(_) => return,
         Action::Compare(files) => return compare(state, desk, files),
     }
     ask(state, desk);

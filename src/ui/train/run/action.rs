@@ -1,6 +1,7 @@
 //! What a person can do about training.
 
-use crate::worker::protocol::{FeatureKind, SeedLexicon};
+use crate::ui::page::files::Offered;
+use crate::worker::protocol::{FeatureKind, Lexicon};
 
 /// Something that a person did.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +22,10 @@ pub enum Action {
     UseSoFar,
     /// A setting is this.
     Set(Setting),
+    /// What is known before is what a file says.
+    OwnLexicon(Vec<Offered>),
+    /// Save the curves of the run as a picture.
+    SaveCurves,
     /// The paper's settings.
     Paper,
     /// Save the model that the robot uses as a file.
@@ -37,7 +42,7 @@ pub enum Setting {
     Idioms(bool),
     Without(FeatureKind, bool),
     /// Nothing for what suits the corpus.
-    Lexicon(Option<SeedLexicon>),
+    Lexicon(Option<Lexicon>),
 }
 
 /// A setting that is a number.

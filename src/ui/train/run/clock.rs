@@ -17,6 +17,11 @@ pub struct Clock {
 }
 
 impl Clock {
+    /// The clock of a run that comes back after so many milliseconds of work.
+    pub fn worked_so_long(worked: f64) -> Clock {
+        Clock { worked, ..Clock::default() }
+    }
+
     /// The run rests: the time that goes by is not its own.
     pub fn rest(&mut self) {
         self.last = None;

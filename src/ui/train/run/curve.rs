@@ -1,6 +1,7 @@
 //! What a run did, epoch by epoch, as lines to be drawn: places in a box of [`WIDTH`] by [`HEIGHT`], y downwards. Pure.
 
 use crate::worker::protocol::{Judgement, Progress};
+use serde::{Deserialize, Serialize};
 
 /// The breadth of a chart.
 pub const WIDTH: f64 = 320.0;
@@ -10,7 +11,7 @@ pub const HEIGHT: f64 = 150.0;
 pub const FRAME: [f64; 4] = [40.0, 8.0, 312.0, 126.0];
 
 /// What there is to say of an epoch.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// How far the run was at its end, or is in it.
     pub progress: Progress,

@@ -48,6 +48,7 @@ pub fn answered(state: &mut State, desk: &mut Desk, event: Event) {
         Event::Look(look) => run.look = look.map(|look| Rc::new(*look)),
         Event::Checkpoint(checkpoint) => run.checkpoint = Some((checkpoint.text, desk.clock)),
         Event::Trained(report) => used(run, desk, report),
+        Event::Decisions { text } if run.decisions.is_none() => run.decisions = Some(text),
         _ => {}
     }
 }
@@ -61,6 +62,7 @@ pub fn ended(state: &mut State, desk: &mut Desk, event: Event) {
         Event::Trained(report) => {
             run.pace = Pace::Over;
             run.checkpoint = None;
+            run.model = Some(Rc::from(report.model.as_str()));
             desk.say((text.trained)(report.valid, report.examples));
             used(run, desk, report);
         }

@@ -3,8 +3,11 @@
 pub mod words;
 pub mod clock;
 pub mod curve;
+pub mod chart;
+pub mod picture;
 pub mod action;
 pub mod state;
+pub mod file;
 pub mod hear;
 pub mod update;
 #[cfg(target_arch = "wasm32")]

@@ -4,7 +4,8 @@ use super::action::{Number, Setting};
 use super::clock::Clock;
 use super::curve::Point;
 use crate::ui::train::desk::Desk;
-use crate::worker::protocol::{Lexicon, Look, Progress, Request, SeedLexicon, Settings};
+use crate::worker::protocol::{Lexicon, Look, Progress, Request, Settings};
+use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
 /// All that is known of training.
@@ -13,9 +14,13 @@ pub struct State {
     /// The settings of the next run.
     pub settings: Settings,
     /// What is known before, if a person chose it.
-    pub lexicon: Option<SeedLexicon>,
+    pub lexicon: Option<Lexicon>,
+    /// A lexicon of the person's own: the name of its file, and its text.
+    pub own: Option<(String, String)>,
     /// The run at work, or the last one.
     pub run: Option<Run>,
+    /// A run that was kept and is opened: its corpus is being read.
+    pub coming: Option<Run>,
     /// What came of training, when it is not a model.
     pub notice: Option<String>,
     /// Tells the timer that counts.
@@ -29,6 +34,12 @@ pub struct Run {
     pub settings: Settings,
     /// The name of its corpus.
     pub corpus: String,
+    /// The name that its corpus is kept under.
+    pub pack: String,
+    /// The name that it is kept under itself; empty as long as it is not.
+    pub name: String,
+    /// What was decided of the rows when it began, once that is known.
+    pub decisions: Option<String>,
     /// How it goes.
     pub pace: Pace,
     /// How far it is.
@@ -41,12 +52,15 @@ pub struct Run {
     pub clock: Clock,
     /// Where it can go on from, and when that was.
     pub checkpoint: Option<(String, f64)>,
+    /// The model that it ended with.
+    pub model: Option<Rc<str>>,
     /// Whether a new engine was started for it, and it has not gone on yet.
     pub is_retried: bool,
 }
 
 /// How a run goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Pace {
     /// It works.
     Goes,
@@ -62,10 +76,14 @@ pub enum Pace {
 
 impl Run {
     /// A run that begins.
-    pub fn new(settings: Settings, corpus: String) -> Run {
+    pub fn new(settings: Settings, corpus: String, pack: String) -> Run {
         Run {
             settings,
             corpus,
+            pack,
+            name: String::new(),
+            decisions: None,
+            model: None,
             pace: Pace::Goes,
             progress: None,
             points: Rc::default(),
@@ -80,7 +98,7 @@ impl Run {
 impl State {
     /// The settings of the next run on a corpus that this lexicon suits.
     pub fn settings(&self, suits: Lexicon) -> Settings {
-        let lexicon = self.lexicon.map_or(suits, Lexicon::Here);
+        let lexicon = self.lexicon.clone().unwrap_or(suits);
         Settings { lexicon, ..self.settings.clone() }
     }
 
@@ -147,13 +165,7 @@ impl State {
 /// Whether training on so many commands can begin.
 pub fn can_train(desk: &Desk, commands: usize) -> bool {
     let busy = |request: &Request| {
-        matches!(
-            request,
-            Request::Learn { .. }
-                | Request::OpenSheet { .. }
-                | Request::Audit { .. }
-                | Request::RunShard { .. }
-        )
+        matches!(request, Request::Learn { .. } | Request::OpenSheet { .. } | Request::Audit { .. })
     };
     commands > 0 && desk.is_ready() && !desk.learner.is_at(busy)
 }

@@ -1,8 +1,10 @@
 //! Does what a person wants about training.
 
 use super::action::Action;
+use super::picture::picture;
 use super::state::{Pace, Run, State, can_train};
 use super::words::Text;
+use crate::ui::page::files::Offered;
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
 use crate::worker::protocol::{Lexicon, Request, Settings};
@@ -10,10 +12,15 @@ use crate::worker::protocol::{Lexicon, Request, Settings};
 /// Milliseconds between two looks at what is learned.
 const LOOK_MS: u32 = 400;
 
+/// Bytes that a lexicon of one's own may have.
+const MOST_LEXICON: usize = 4_000_000;
+
 /// What a run would be on: the name of the corpus, its commands, and what suits it as known before.
 pub struct Ground {
     /// The corpus's name.
     pub name: String,
+    /// The name that it is kept under.
+    pub pack: String,
     /// Commands that are learned from.
     pub commands: usize,
     /// What suits it.
@@ -51,6 +58,13 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action, ground: Ground
         }
         Action::UseSoFar => desk.ask(Request::ModelSoFar),
         Action::Set(setting) => state.set(setting),
+        Action::OwnLexicon(files) => own(state, desk, files),
+        Action::SaveCurves => {
+            if let Some(run) = &state.run {
+                let text = picture(&run.points, Text::of(desk.language));
+                desk.want(Effect::Save { name: "curves.svg".to_owned(), text });
+            }
+        }
         Action::Paper => (state.settings, state.lexicon) = (Settings::default(), None),
         Action::SaveModel => {
             if let Some(model) = &desk.in_use {
@@ -85,6 +99,20 @@ pub fn restore(state: &mut State, desk: &mut Desk) {
     if let Some(run) = live(state) {
         run.pace = Pace::Goes;
         learn(run, desk);
+    }
+}
+
+/// A run that was kept is here again, whose corpus is being read; it goes on if it was at work, or stands as it was.
+pub fn bring_back(state: &mut State, desk: &mut Desk, mut run: Run) {
+    let goes = run.pace == Pace::Goes;
+    if goes {
+        learn(&run, desk);
+    } else if run.pace != Pace::Over {
+        run.pace = Pace::Stopped;
+    }
+    (state.run, state.notice) = (Some(run), None);
+    if goes {
+        look_on(state, desk);
     }
 }
 
@@ -125,7 +153,8 @@ fn step(state: &mut State, desk: &mut Desk, ground: Ground, step: Request) {
 fn begin(state: &mut State, desk: &mut Desk, ground: Ground) {
     state.notice = None;
     desk.say(Text::of(desk.language).begun);
-    let run = Run::new(state.settings(ground.lexicon), ground.name);
+    let run = Run::new(state.settings(ground.lexicon), ground.name, ground.pack);
+    desk.ask(Request::Decisions);
     learn(&run, desk);
     state.run = Some(run);
     look_on(state, desk);
@@ -135,6 +164,20 @@ fn begin(state: &mut State, desk: &mut Desk, ground: Ground) {
 fn learn(run: &Run, desk: &mut Desk) {
     let resume = run.checkpoint.as_ref().map(|(text, _)| text.clone());
     desk.send(Request::Learn { settings: Box::new(run.settings.clone()), resume }, false);
+}
+
+/// A person's own lexicon is chosen; what is wrong with it the engine says when it is used.
+fn own(state: &mut State, desk: &mut Desk, files: Vec<Offered>) {
+    let Some(Offered { name, bytes }) = files.into_iter().next() else { return };
+    let text = bytes.ok().and_then(|bytes| String::from_utf8(bytes).ok());
+    let Some(text) = text.filter(|text| text.len() <= MOST_LEXICON) else {
+        let words = (Text::of(desk.language).no_lexicon)(&name);
+        desk.say(words.clone());
+        state.notice = Some(words);
+        return;
+    };
+    state.lexicon = Some(Lexicon::Own(text.clone()));
+    (state.own, state.notice) = (Some((name, text)), None);
 }
 
 fn look_on(state: &mut State, desk: &mut Desk) {

@@ -1,11 +1,14 @@
 //! Carries the workbench's effects out: its engine, downloads, and what it tells the page.
 
+use crate::ui::page::engine::Errand;
 use crate::ui::page::view::host;
 use crate::ui::page::view::save::{save, save_bytes};
 use crate::ui::page::view::worker::Engine;
 use crate::ui::train::action::Action;
 use crate::ui::train::effect::Effect;
-use crate::ui::train::run;
+use crate::ui::train::experiments::pool::Said;
+use crate::ui::train::kept::view::Shelf;
+use crate::ui::train::{experiments, kept, run};
 use crate::worker::protocol::{Program, decode};
 use gloo_timers::callback::Timeout;
 use js_sys::Function;
@@ -18,19 +21,31 @@ pub(super) struct Effects {
     act: Callback<Action>,
     tell: Function,
     learner: Option<Engine>,
+    shelf: Shelf,
+    /// The engines of the pool, by their seats.
+    pool: Vec<Option<Engine>>,
 }
 
 impl Effects {
     /// Results go to `act`, news of the workbench to the page's `tell`.
     pub(super) fn new(act: Callback<Action>, tell: Function) -> Effects {
-        Effects { act, tell, learner: None }
+        let shelf = Shelf::new(act.reform(|news| Action::Kept(kept::Action::Heard(news))));
+        Effects { act, tell, learner: None, shelf, pool: Vec::new() }
     }
 
     /// Carries effects out, in order.
     pub(super) fn run(&mut self, effects: Vec<Effect>) {
         for effect in effects {
+            let seat = match &effect {
+                Effect::Pool(seat, _) => Some(*seat),
+                _ => None,
+            };
             if let Err(error) = self.carry_out(effect) {
-                self.act.emit(Action::EngineBroke(Program::Learner, host::words(&error)));
+                let why = host::words(&error);
+                self.act.emit(match seat {
+                    Some(seat) => of_pool(seat, Said::Broke(why)),
+                    None => Action::EngineBroke(Program::Learner, why),
+                });
             }
         }
     }
@@ -45,6 +60,8 @@ impl Effects {
                 });
                 self.learner = Some(Engine::spawn(program, decode, &told)?);
             }
+            Effect::Pool(seat, errand) => self.do_for(seat, errand)?,
+            Effect::EndPool => self.pool.clear(),
             Effect::Post(_, envelope) => {
                 if let Some(engine) = &self.learner {
                     engine.post(&envelope)?;
@@ -58,6 +75,7 @@ impl Effects {
                 let act = self.act.clone();
                 Timeout::new(ms, move || act.emit(Action::Run(run::Action::Rang(number)))).forget();
             }
+            Effect::Store(ask) => self.shelf.ask(ask),
             Effect::Tell(news) => {
                 let [kind, text, corpus] = news.words();
                 self.tell.call3(&JsValue::NULL, &kind.into(), &text.into(), &corpus.into())?;
@@ -69,4 +87,36 @@ impl Effects {
         }
         Ok(())
     }
+
+    /// Does something for an engine of the pool.
+    fn do_for(&mut self, seat: u32, errand: Errand) -> Result<(), JsValue> {
+        let place = seat as usize;
+        match errand {
+            Errand::Spawn(program) => {
+                let told = self.act.reform(move |said: Result<_, String>| {
+                    of_pool(seat, said.map_or_else(Said::Broke, Said::Heard))
+                });
+                if self.pool.len() <= place {
+                    self.pool.resize_with(place + 1, || None);
+                }
+                self.pool[place] = None;
+                self.pool[place] = Some(Engine::spawn(program, decode, &told)?);
+            }
+            Errand::Post(_, envelope) => {
+                if let Some(Some(engine)) = self.pool.get(place) {
+                    engine.post(&envelope)?;
+                }
+            }
+            Errand::Watch(_, watch, ms) => {
+                let act = self.act.clone();
+                Timeout::new(ms, move || act.emit(of_pool(seat, Said::Look(watch)))).forget();
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What an engine of the pool said.
+const fn of_pool(seat: u32, said: Said) -> Action {
+    Action::Experiments(experiments::Action::Told(seat, said))
 }

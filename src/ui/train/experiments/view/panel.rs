@@ -1,13 +1,15 @@
 //! Experiments: chosen, run, and what they found.
 
 use super::results::results;
+use super::six::six;
 use crate::ui::page::view::fields::{choice, number};
 use crate::ui::page::view::files::open_file;
 use crate::ui::page::view::notice::notice;
 use crate::ui::train::desk::Desk;
 use crate::ui::train::experiments::action::Action;
 use crate::ui::train::experiments::matrix::Kind;
-use crate::ui::train::experiments::state::{State, is_running};
+use crate::ui::train::experiments::pool::Pool;
+use crate::ui::train::experiments::state::State;
 use crate::ui::train::experiments::words::Text;
 use crate::worker::protocol::{By, ExperimentProgress, RunPart};
 use yew::{Callback, Html, html};
@@ -23,28 +25,55 @@ pub(crate) fn panel(
     let text = Text::of(desk.language);
     html! {
         <div class="data">
-            { chosen(state, desk, held_out, can_run, text, act) }
+            { paper(state, held_out, can_run, text, act) }
+            { chosen(state, held_out, can_run, text, act) }
             { results(state, text, act) }
         </div>
     }
 }
 
+/// The paper's experiments, one press each.
+fn paper(state: &State, held_out: u32, can_run: bool, text: &Text, act: &Callback<Action>) -> Html {
+    let off = !can_run || state.pool.is_some();
+    let one = |id: &str, words: &'static str, about: &'static str, action: Action| {
+        html! {
+            <li>
+                <button type="button" class="quiet" data-testid={id.to_owned()} disabled={off}
+                    onclick={act.reform(move |_| action.clone())}>{ words }</button>
+                <span class="dim">{ about }</span>
+            </li>
+        }
+    };
+    html! {
+        <section class="card" aria-labelledby="paper-title">
+            <h2 id="paper-title">{ text.of_paper }</h2>
+            <p class="dim">{ text.paper_help }</p>
+            if held_out == 0 { <p class="dim" data-testid="paper-share">{ text.paper_share }</p> }
+            <ul class="one-click">
+                { for Kind::PAPER.into_iter().zip(["table-2", "table-2-raw", "table-3"]).map(|(kind, id)| {
+                    one(id, (text.kind)(kind), (text.about)(kind), Action::Paper(kind))
+                }) }
+                { one("six-sentences", text.six, text.about_six, Action::Six) }
+            </ul>
+            if let Some(found) = &state.six { { six(found, text) } }
+        </section>
+    }
+}
+
 fn chosen(
     state: &State,
-    desk: &Desk,
     held_out: u32,
     can_run: bool,
     text: &Text,
     act: &Callback<Action>,
 ) -> Html {
-    let kinds: Vec<String> = Kind::ALL.iter().map(|kind| (text.kind)(*kind).to_owned()).collect();
-    let place = Kind::ALL.iter().position(|kind| *kind == state.kind).unwrap_or(0);
+    let kinds: Vec<String> = Kind::OWN.iter().map(|kind| (text.kind)(*kind).to_owned()).collect();
+    let place = Kind::OWN.iter().position(|kind| *kind == state.kind).unwrap_or(0);
     let choose =
-        act.reform(|at: usize| Action::Choose(Kind::ALL.get(at).copied().unwrap_or_default()));
+        act.reform(|at: usize| Action::Choose(Kind::OWN.get(at).copied().unwrap_or_default()));
     let by: Vec<String> = By::ALL.iter().map(|(_, by)| (text.by)(*by).to_owned()).collect();
     let lacks = state.kind.needs_held_out() && held_out == 0;
-    let running = is_running(desk);
-    let (id, words, action, off) = match running {
+    let (id, words, action, off) = match state.pool.is_some() {
         true => ("stop-runs", text.stop, Action::Stop, false),
         false => ("run", text.go, Action::Go, lacks || !can_run),
     };
@@ -71,23 +100,27 @@ fn chosen(
                 <button type="button" class="primary" data-testid={id} disabled={off}
                     onclick={act.reform(move |_| action.clone())}>{ words }</button>
             </p>
-            if let Some(progress) = &state.progress { { bar(text, progress) } }
+            if let Some(pool) = &state.pool { { bar(text, pool) } }
             { notice(state.notice.as_deref(), "experiment-notice") }
             { open_file("runs-file", text.repeat, ".json", None, &act.reform(Action::Repeat)) }
         </section>
     }
 }
 
-fn bar(text: &Text, progress: &ExperimentProgress) -> Html {
-    let ExperimentProgress { run, runs, name, part } = progress;
-    let part = match part {
-        RunPart::Learning(progress) => (text.learning)(progress),
-        RunPart::Judging { judged, commands } => (text.judging)(*judged, *commands),
+fn bar(text: &Text, pool: &Pool) -> Html {
+    let runs = pool.n_runs();
+    let at = |(run, progress): (u32, &ExperimentProgress)| {
+        let part = match &progress.part {
+            RunPart::Learning(progress) => (text.learning)(progress),
+            RunPart::Judging { judged, commands } => (text.judging)(*judged, *commands),
+        };
+        html! { <p class="dim figures">{ (text.at)(run as usize + 1, runs, &progress.name, &part) }</p> }
     };
     html! {
         <div class="bar" data-testid="runs-progress">
-            <progress aria-label={text.experiments} max={runs.to_string()} value={run.to_string()} />
-            <p class="dim">{ (text.at)(run + 1, *runs, name, &part) }</p>
+            <progress aria-label={text.experiments} max={runs.to_string()} value={pool.done().to_string()} />
+            <p class="dim" data-testid="pool">{ (text.pool)(pool.done(), runs, pool.n_seats()) }</p>
+            { for pool.progress().map(at) }
         </div>
     }
 }

@@ -48,7 +48,7 @@ fn one(at: usize, found: &Found, text: &Text, act: &Callback<Action>) -> Html {
                 </table>
             </div>
             <p class="buttons">
-                { for [Saved::Csv, Saved::Json, Saved::Report, Saved::Plan].into_iter().map(save) }
+                { for [Saved::Csv, Saved::Svg, Saved::Json, Saved::Report, Saved::Plan].into_iter().map(save) }
                 <button type="button" class="link" data-testid="forget-result"
                     onclick={act.reform(move |_| Action::Forget(at))}>{ text.forget }</button>
             </p>

@@ -9,6 +9,9 @@ use crate::worker::protocol::{EntryLine, EntrySort, EntryWindow};
 use web_sys::{Event, HtmlInputElement};
 use yew::{Callback, Html, TargetCast, html};
 
+/// Sentences that are shown of an entry.
+const SENTENCES: usize = 2;
+
 /// The lexicon.
 pub(super) fn entries(state: &State, text: &Text, act: &Callback<Action>) -> Html {
     html! {
@@ -69,16 +72,23 @@ fn page(state: &State, window: &EntryWindow, text: &Text, act: &Callback<Action>
                         { head(text.meaning, EntrySort::Meaning) }
                         { head(text.weight, EntrySort::Weight) }
                         { head(text.uses, EntrySort::Uses) }
+                        <th scope="col">{ text.example }</th>
                         <th scope="col">{ text.from }</th>
                     </tr></thead>
-                    <tbody>{ for lines.iter().map(|line| entry(state, line, text, act)) }</tbody>
+                    <tbody>{ for lines.iter().map(|line| entry(state, line, &window.sentences, text, act)) }</tbody>
                 </table>
             </div>
         </>
     }
 }
 
-fn entry(state: &State, line: &EntryLine, text: &Text, act: &Callback<Action>) -> Html {
+fn entry(
+    state: &State,
+    line: &EntryLine,
+    sentences: &[(u32, String)],
+    text: &Text,
+    act: &Callback<Action>,
+) -> Html {
     let EntryLine { place, entry, weight, from, uses } = line;
     let place = *place;
     let pick = act.reform(move |event: Event| {
@@ -98,6 +108,15 @@ fn entry(state: &State, line: &EntryLine, text: &Text, act: &Callback<Action>) -
             <td><code>{ &entry.meaning }</code></td>
             <td>{ format!("{weight:.2}") }</td>
             <td>{ uses.count }</td>
+            <td class="sentences">
+                { for sentences.iter().filter(|(row, _)| uses.first.contains(row)).take(SENTENCES).map(|(row, said)| {
+                    let row = *row;
+                    html! {
+                        <button type="button" class="link" data-testid="sentence" aria-label={format!("{}: {said}", (text.open_row)(row + 1))}
+                            onclick={act.reform(move |_| Action::Row(row))}>{ said }</button>
+                    }
+                }) }
+            </td>
             <td>{ from }</td>
         </tr>
     }

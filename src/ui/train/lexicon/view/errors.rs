@@ -1,21 +1,28 @@
 //! Where the model errs: commands, words, features, and what wrong answers did instead.
 
+use super::rows::rows;
 use super::table::table;
+use crate::ui::train::lexicon::action::Action;
 use crate::ui::train::lexicon::state::State;
 use crate::ui::train::lexicon::words::Text;
 use crate::worker::protocol::{Confused, Errors};
-use yew::{Html, html};
+use yew::{Callback, Html, html};
 
 /// Lines of a table that are shown.
 const SHOWN: usize = 40;
 
 /// Where it errs; `confused` is of what is held out.
-pub(super) fn errors(state: &State, confused: &[Confused], text: &Text) -> Html {
+pub(super) fn errors(
+    state: &State,
+    confused: &[Confused],
+    text: &Text,
+    act: &Callback<Action>,
+) -> Html {
     html! {
         <section class="card" aria-labelledby="errors-title" data-testid="errors">
             <h2 id="errors-title">{ text.errors }</h2>
             { match &state.errors {
-                Some(errors) => tables(errors, text),
+                Some(errors) => tables(errors, text, act),
                 None => html! { <p class="dim">{ text.no_errors }</p> },
             } }
             { table(text.confusion, &[text.task, text.does, text.count], confused.iter().take(SHOWN).map(|one| {
@@ -26,20 +33,20 @@ pub(super) fn errors(state: &State, confused: &[Confused], text: &Text) -> Html 
     }
 }
 
-fn tables(errors: &Errors, text: &Text) -> Html {
+fn tables(errors: &Errors, text: &Text, act: &Callback<Action>) -> Html {
     let commands = errors.commands.iter().take(SHOWN).map(|one| {
         html! {
             <tr>
-                <td>{ &one.command }</td><td>{ one.rows.count }</td><td>{ one.right }</td>
+                <td>{ &one.command }</td><td>{ rows(&one.rows, text, act) }</td><td>{ one.right }</td>
                 <td><code>{ one.form.clone().unwrap_or_default() }</code></td>
             </tr>
         }
     });
-    let unknown = errors.unknown.iter().take(SHOWN).map(|(word, rows)| {
-        html! { <tr><td>{ word }</td><td>{ rows.count }</td></tr> }
+    let unknown = errors.unknown.iter().take(SHOWN).map(|(word, of)| {
+        html! { <tr><td>{ word }</td><td>{ rows(of, text, act) }</td></tr> }
     });
     let deciders = errors.deciders.iter().take(SHOWN).map(|one| {
-        html! { <tr><td><code>{ &one.feature }</code></td><td>{ format!("{:.2}", one.by) }</td><td>{ one.rows.count }</td></tr> }
+        html! { <tr><td><code>{ &one.feature }</code></td><td>{ format!("{:.2}", one.by) }</td><td>{ rows(&one.rows, text, act) }</td></tr> }
     });
     html! {
         <>

@@ -1,6 +1,7 @@
 //! What was learned, as Yew draws it; wasm only.
 
 mod table;
+mod rows;
 mod entries;
 mod errors;
 mod difference;

@@ -21,7 +21,7 @@ pub(crate) fn panel(
     html! {
         <div class="data">
             { entries(state, text, act) }
-            { errors(state, confused, text) }
+            { errors(state, confused, text, act) }
             { difference(state, text, act) }
         </div>
     }

@@ -14,6 +14,8 @@ pub(super) static ENGLISH: Text = Text {
     weight: "Weight",
     uses: "Rows",
     from: "Learned from",
+    example: "For example",
+    open_row: |row| format!("Open row {row}"),
     seed: "known before",
     pick: |words| format!("Pick the entry of {words}"),
     shown: |from, to, of| format!("{from} to {to} of {of} entries"),

@@ -14,6 +14,8 @@ pub(super) static GERMAN: Text = Text {
     weight: "Gewicht",
     uses: "Zeilen",
     from: "Gelernt aus",
+    example: "Zum Beispiel",
+    open_row: |row| format!("Zeile {row} öffnen"),
     seed: "vorher bekannt",
     pick: |words| format!("Den Eintrag von {words} auswählen"),
     shown: |from, to, of| format!("{from} bis {to} von {of} Einträgen"),

@@ -13,6 +13,8 @@ pub struct Text {
     pub weight: &'static str,
     pub uses: &'static str,
     pub from: &'static str,
+    pub example: &'static str,
+    pub open_row: fn(u32) -> String,
     pub seed: &'static str,
     pub pick: fn(&str) -> String,
     pub shown: fn(u32, u32, u32) -> String,

@@ -15,11 +15,12 @@ use crate::ui::train::run::words::Text;
 use crate::worker::protocol::Progress;
 use yew::{Callback, Html, html};
 
-/// Training on so many commands.
+/// Training on so many commands; `kept` says what there is to say of how the run is kept.
 pub(crate) fn panel(
     state: &State,
     desk: &Desk,
     commands: usize,
+    kept: Html,
     act: &Callback<Action>,
     offer: &Callback<Vec<Offered>>,
 ) -> Html {
@@ -27,12 +28,12 @@ pub(crate) fn panel(
     html! {
         <div class="columns train">
             <div class="column">
-                { training(state, desk, commands, act, offer) }
+                { training(state, desk, commands, kept, act, offer) }
                 { settings(state, text, act) }
             </div>
             <div class="column">
                 if let Some(run) = &state.run {
-                    { curves(run, text) }
+                    { curves(run, text, act) }
                     { now(run, text) }
                 }
             </div>
@@ -44,6 +45,7 @@ fn training(
     state: &State,
     desk: &Desk,
     commands: usize,
+    kept: Html,
     act: &Callback<Action>,
     offer: &Callback<Vec<Offered>>,
 ) -> Html {
@@ -56,6 +58,7 @@ fn training(
             <h2 id="train-title">{ text.training }</h2>
             <p>{ (text.help)(commands, state.settings.epochs) }</p>
             { buttons(state, desk, commands, text, act) }
+            { kept }
             { match run {
                 Some(Run { progress: Some(progress), clock, pace, .. }) if *pace != Pace::Over => bar(text, progress, clock),
                 Some(Run { progress: None, pace: Pace::Goes, .. }) => html! { <p class="dim">{ text.beginning }</p> },

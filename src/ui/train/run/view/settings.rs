@@ -2,15 +2,12 @@
 
 use super::press::press;
 use crate::ui::page::view::fields::{choice, number, tick};
+use crate::ui::page::view::files::open_file;
 use crate::ui::train::run::action::{Action, Number, Setting};
 use crate::ui::train::run::state::State;
 use crate::ui::train::run::words::Text;
-use crate::worker::protocol::{FeatureKind, SeedLexicon};
+use crate::worker::protocol::{FeatureKind, Lexicon, SeedLexicon};
 use yew::{Callback, Html, html};
-
-/// The lexicons that can be chosen, in the order of their words.
-const LEXICONS: [Option<SeedLexicon>; 3] =
-    [None, Some(SeedLexicon::Demonstration), Some(SeedLexicon::Domain)];
 
 /// The settings; those of a run at work stay as they were when it began.
 pub(super) fn settings(state: &State, text: &Text, act: &Callback<Action>) -> Html {
@@ -22,10 +19,17 @@ pub(super) fn settings(state: &State, text: &Text, act: &Callback<Action>) -> Ht
         let change = set.reform(move |value| Setting::Number(which, value));
         number(id.into(), (text.number)(which).into(), value, false, change)
     });
-    let lexicons = text.lexicons.map(str::to_owned);
-    let chosen = LEXICONS.iter().position(|one| *one == state.lexicon).unwrap_or(0);
+    // In the order of their words; the person's own is the last.
+    let here = |lexicon| Some(Lexicon::Here(lexicon));
+    let mut lexicons = vec![None, here(SeedLexicon::Demonstration), here(SeedLexicon::Domain)];
+    let mut names = text.lexicons.map(str::to_owned).to_vec();
+    if let Some((name, own)) = &state.own {
+        lexicons.push(Some(Lexicon::Own(own.clone())));
+        names.push(name.clone());
+    }
+    let chosen = lexicons.iter().position(|one| *one == state.lexicon).unwrap_or(0);
     let choose =
-        set.reform(|place: usize| Setting::Lexicon(LEXICONS.get(place).copied().flatten()));
+        set.reform(move |place: usize| Setting::Lexicon(lexicons.get(place).cloned().flatten()));
     let kinds = FeatureKind::ALL.into_iter().map(|(name, kind)| {
         let is_out = state.settings.without.contains(&kind);
         let change = set.reform(move |out| Setting::Without(kind, out));
@@ -44,7 +48,8 @@ pub(super) fn settings(state: &State, text: &Text, act: &Callback<Action>) -> Ht
             </div>
             <div class="settings">{ for numbers }</div>
             <div class="fields">
-                { choice("setting-lexicon".into(), text.lexicon.into(), &lexicons, chosen, choose) }
+                { choice("setting-lexicon".into(), text.lexicon.into(), &names, chosen, choose) }
+                { open_file("lexicon-file", text.own_lexicon, ".txt,.lex", None, &act.reform(Action::OwnLexicon)) }
                 { tick("setting-idioms".into(), text.idioms.into(), state.settings.idioms, false, set.reform(Setting::Idioms)) }
             </div>
             <fieldset class="kinds"><legend>{ text.without }</legend>{ for kinds }</fieldset>

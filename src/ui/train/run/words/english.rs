@@ -82,6 +82,9 @@ pub(super) static ENGLISH: Text = Text {
         "a few function words (Section VII)",
         "the English of the domain",
     ],
+    own_lexicon: "Own lexicon file",
+    no_lexicon: |name| format!("{name} is no lexicon: a text in UTF-8 of at most 4 MB."),
+    save_curves: "Save the curves as SVG",
     without: "Kinds of features left out",
     kind: |kind| match kind {
         FeatureKind::Lexeme => "words with their constants",

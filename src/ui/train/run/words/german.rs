@@ -82,6 +82,9 @@ pub(super) static GERMAN: Text = Text {
         "wenige Funktionswörter (Abschnitt VII)",
         "das Englisch der Domäne",
     ],
+    own_lexicon: "Eigene Lexikondatei",
+    no_lexicon: |name| format!("{name} ist kein Lexikon: ein Text in UTF-8 von höchstens 4 MB."),
+    save_curves: "Kurven als SVG sichern",
     without: "Weggelassene Merkmale",
     kind: |kind| match kind {
         FeatureKind::Lexeme => "Wörter mit ihren Konstanten",

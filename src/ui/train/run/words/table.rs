@@ -37,6 +37,9 @@ pub struct Text {
     pub idioms: &'static str,
     pub lexicon: &'static str,
     pub lexicons: [&'static str; 3],
+    pub own_lexicon: &'static str,
+    pub no_lexicon: fn(&str) -> String,
+    pub save_curves: &'static str,
     pub without: &'static str,
     pub kind: fn(FeatureKind) -> &'static str,
 

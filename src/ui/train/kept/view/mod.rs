@@ -1,0 +1,7 @@
+//! What is kept, as Yew draws it, and the way to the store; wasm only.
+
+mod panel;
+mod shelf;
+
+pub(crate) use panel::{of_run, panel};
+pub(crate) use shelf::Shelf;
