@@ -8,6 +8,7 @@ use crate::ccg::{
 };
 use crate::domain::{Bounds, Color, Shape, State};
 use crate::ground::{self, Class, Entity, Failure, Goal, Thing, claim, noun, phrases};
+use crate::logic::ty::TRUTH;
 use crate::logic::{TermId, print, print_human, steps};
 
 /// Readings that an answer shows, unless more are tied for best.
@@ -100,8 +101,9 @@ pub(super) fn reading(
     let derivation = parse.derivation(reading);
     let trace = Trace::of(model, &derivation).ok();
     let nodes = trace.as_ref().map(|trace| nodes(model, trace)).unwrap_or_default();
-    // What the root says, since the goal is its meaning.
-    let formula = nodes.last().map(|root| root.meaning.clone());
+    // What the root says, since the goal is its meaning; a task over time is what its root asks for by itself.
+    let is_root = model.grammar.terms.ty(reading.form) == TRUTH;
+    let formula = nodes.last().filter(|_| is_root).map(|root| root.meaning.clone());
     let phrases = said(model, trace.as_ref(), reading.form, state);
     let terms = &model.grammar.terms;
     let plain = || vec![Piece { text: print_human(terms, reading.form), words: None }];
