@@ -13,6 +13,9 @@ fn corpus(text: &str) -> Corpus {
     corpus
 }
 
+/// What spoils the runs of a row.
+type Change = fn(&mut Value);
+
 fn forms() -> [String; 3] {
     let never = format!("(always:<t,p> (not:<t,t> {}))", in_room("yellow"));
     let (red, blue) = (in_room("red"), in_room("blue"));
@@ -86,14 +89,14 @@ fn runs_are_written_back_as_they_were_read() {
 #[test]
 fn what_is_wrong_with_a_run_is_said_where_it_stands() {
     let row: Value = serde_json::from_str(&drawn(&forms()[1], "2")).unwrap();
-    let bad = |change: fn(&mut Value)| {
+    let bad = |change: Change| {
         let mut row = row.clone();
         change(&mut row["runs"]);
         let (corpus, flaws) = read_corpus(format!("{row}\n").as_bytes(), Options::default());
         assert_eq!(corpus.left_out, 1);
         flaws[0].to_string()
     };
-    let cases: [(fn(&mut Value), &str); 5] = [
+    let cases: [(Change, &str); 5] = [
         (|runs| runs[1]["actions"] = "nnx".into(), "runs[1]: no action is called 'x'"),
         (|runs| runs[0]["contrast"] = "nn".into(), "runs[0]: this is no run"),
         (|runs| runs[0]["start"]["agent"]["x"] = 0.into(), "runs[0]"),
