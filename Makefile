@@ -48,10 +48,11 @@ serve: build ## install what is missing, build the site and serve it on this mac
 test: rust-parts xz wasm-target $(TOOLS)/bindgen-$(BINDGEN) $(TOOLS)/trunk-$(TRUNK) packages chromium ## install what is missing and run every check
 	exec bash tests/checks.sh
 
-test-long: rust-parts xz ## the native tests again, in release and with many more random cases; and the model, learned anew
+test-long: build command-line chromium rust-parts xz ## the native tests again, in release and with many more random cases; the model, learned anew; 200 who take part
 	PROPTEST_CASES=10000 cargo test --release --no-fail-fast --lib --bins --test suite
 	$(MAKE) --no-print-directory model MODEL=target/model/again.model
 	cmp assets/model/cleanup.model target/model/again.model
+	node tests/e2e/run.mjs --folder long
 
 fmt: rust-parts ## format the code
 	cargo fmt

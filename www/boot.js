@@ -36,8 +36,11 @@ addEventListener("unhandledrejection", (event) => {
 });
 
 // Keeps the site for when there is no network, once the page itself has all it needs; whether the program starts or
-// not. Where a browser allows none, the page does without.
-addEventListener("load", () => navigator.serviceWorker?.register("sw.js").catch(() => {}));
+// not. A page that stands alone names a worker of its own. Where a browser allows none, the page does without.
+addEventListener("load", () => {
+  const own = document.querySelector("meta[name=worker]")?.content;
+  navigator.serviceWorker?.register(own ?? "sw.js", own && { scope: location.pathname }).catch(() => {});
+});
 
 async function start() {
   if (typeof WebAssembly !== "object") {

@@ -32,8 +32,12 @@ mod plan;
 mod reduce;
 #[path = "groundling/experiment.rs"]
 mod experiment;
+#[path = "groundling/study.rs"]
+mod study;
 #[path = "groundling/generate.rs"]
 mod generate;
+#[path = "groundling/review.rs"]
+mod review;
 
 use command::{Command, Done, Failure};
 use std::ffi::OsString;
@@ -53,6 +57,7 @@ const COMMANDS: &[Command] = &[
     reduce::COMMAND,
     experiment::COMMAND,
     generate::COMMAND,
+    review::COMMAND,
 ];
 
 fn main() -> ExitCode {

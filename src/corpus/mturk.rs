@@ -6,6 +6,7 @@ use super::cells::Cells;
 use super::draft::{Draft, Found, Place};
 use super::example::{Decision, Row};
 use super::flaw::{Flaw, Wrong, some};
+use super::formula::unguarded;
 use super::header::Header;
 use super::json::json;
 use super::limits::{MAX_CELL_BYTES, MAX_COLUMNS};
@@ -156,7 +157,7 @@ fn row(header: &Header, mut record: Record, options: &Options) -> Found {
         states.push((place(pre), place(post)));
     }
     draft.show(states);
-    let owned = |at: Option<usize>| cell(at).map(str::to_owned);
+    let owned = |at: Option<usize>| cell(at).map(|cell| unguarded(cell).to_owned());
     (draft.id, draft.task, draft.worker) =
         (owned(header.id), owned(header.task), owned(header.worker));
     let kept = header.roles.iter().enumerate().filter(|(_, role)| !role.is_kept_apart());
@@ -192,7 +193,7 @@ fn command<'a>(header: &'a Header, record: &Record) -> (&'a str, Result<String, 
     let text = |at: Option<usize>| record.cells.get(at?).and_then(something);
     let name = |at: Option<usize>| at.map_or(COMMAND, |at| header.name(at));
     match (text(header.command), text(header.form)) {
-        (Some(command), _) => (name(header.command), Ok(command.to_owned())),
+        (Some(command), _) => (name(header.command), Ok(unguarded(command).to_owned())),
         (None, Some(form)) => (name(header.form), form_command(form)),
         (None, None) => (name(header.command.or(header.form)), Ok(String::new())),
     }

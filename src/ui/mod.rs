@@ -22,4 +22,5 @@ pub mod talk;
 pub mod train;
 pub mod kept;
 pub mod help;
+pub mod collect;
 pub mod app;

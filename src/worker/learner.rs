@@ -10,6 +10,7 @@ use super::protocol::{
     Settings, SheetReport, TeachReport,
 };
 use super::shard;
+use super::study;
 use super::talker::report;
 use super::training::Training;
 use crate::ccg::{EntryText, Model};
@@ -44,6 +45,7 @@ impl Role for Learner {
             Request::Learn { settings, resume } => self.learn(&settings, resume.as_deref()),
             Request::Audit { model, rules } => self.audit(model.as_deref(), rules),
             Request::RunShard { plan, runs } => shard::run(&self.sheet, &plan, runs),
+            Request::Study(ask) => study::begin(ask),
             Request::Teach { model, examples } => teach(&model, examples),
             Request::Demonstrate { command, state, settings } => {
                 let config = self.config(&settings)?;

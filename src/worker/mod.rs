@@ -17,6 +17,7 @@ mod lesson;
 mod training;
 mod learner;
 mod shard;
+mod study;
 mod bench;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;

@@ -14,6 +14,8 @@ const require = createRequire(path.join(tools, 'node', 'package.json'));
 export const { chromium } = require('playwright-core');
 export const { PNG } = require('pngjs');
 export const pixelmatch = (await import(pathToFileURL(require.resolve('pixelmatch')))).default;
+/** The folder of a package. */
+export const packageFolder = (name) => path.join(tools, 'node/node_modules', name);
 /** The file of axe, which is run inside the page. */
 export const axeFile = require.resolve('axe-core/axe.min.js');
 /** Lighthouse, loaded by who asks for it: it is large. */

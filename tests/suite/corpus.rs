@@ -15,7 +15,7 @@ mod mapped;
 #[path = "corpus/packed.rs"]
 mod packed;
 
-const PRE: &str = r#"{"agent":{"x":2,"y":3,"direction":"south"},"rooms":[{"name":"room0","color":"red","left":0,"bottom":0,"right":4,"top":4},{"name":"room1","color":"blue","left":4,"bottom":0,"right":8,"top":4}],"doors":[{"name":"door0","left":4,"bottom":2,"right":4,"top":2,"lock":"unlocked"}],"objects":[{"name":"object0","shape":"chair","color":"green","x":6,"y":2}]}"#;
+pub(crate) const PRE: &str = r#"{"agent":{"x":2,"y":3,"direction":"south"},"rooms":[{"name":"room0","color":"red","left":0,"bottom":0,"right":4,"top":4},{"name":"room1","color":"blue","left":4,"bottom":0,"right":8,"top":4}],"doors":[{"name":"door0","left":4,"bottom":2,"right":4,"top":2,"lock":"unlocked"}],"objects":[{"name":"object0","shape":"chair","color":"green","x":6,"y":2}]}"#;
 
 fn post() -> String {
     PRE.replacen("\"x\":2,\"y\":3", "\"x\":3,\"y\":3", 1)

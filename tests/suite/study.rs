@@ -12,6 +12,19 @@ use groundling::study::{
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
+#[path = "study/command.rs"]
+mod collecting;
+#[path = "study/files.rs"]
+pub(crate) mod files;
+#[path = "study/links.rs"]
+mod links;
+#[path = "study/reviews.rs"]
+mod reviews;
+#[path = "study/sittings.rs"]
+mod sittings;
+#[path = "study/surveys.rs"]
+mod surveys;
+
 fn tasks() -> Vec<StudyTask> {
     read_tasks(TASKS).unwrap()
 }

@@ -1,5 +1,7 @@
 //! The page's reducer, played without a browser: actions in, state and effects out.
 
+#[path = "ui/collect.rs"]
+mod collect;
 #[path = "ui/doubt.rs"]
 mod doubt;
 #[path = "ui/edit.rs"]

@@ -1,18 +1,19 @@
-//! `generate`: tasks in, pairs of states out, for a study; or worlds from a blueprint.
+//! `generate`: tasks in, pairs of states out, or a whole study; or worlds from a blueprint.
 
 use super::command::{Command, Done, Failure};
 use super::corpora::text;
+use super::study::{self, Wanted};
 use groundling::corpus::{Cells, Corpus, Decision, Example, jsonl, limits::MAX_PAIRS, table};
 use groundling::domain::Blueprint;
-use groundling::study::{TASKS, draw, read_tasks};
+use groundling::study::{StudyTask, TASKS, draw, read_tasks};
 use lexopt::ValueExt;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::io::{self, BufWriter, Write};
 
 pub(crate) const COMMAND: Command = Command {
     name: "generate",
     about: "Draw pairs of states for the tasks of a study, or worlds",
-    usage: "--tasks FILE|all [--pairs N] [--seed N] [--json] | --worlds N [OPTIONS]",
+    usage: "--tasks FILE|all [--pairs N] [--seed N] [--json] | --study NAME [OPTIONS] | --worlds N [OPTIONS]",
     details: "  --tasks FILE|all  a file of tasks, or the 23 of the corpus\n\
               \x20 --pairs N         pairs for each command (3)\n\
               \x20 --seed N          of everything that is drawn (0)\n\
@@ -21,6 +22,12 @@ pub(crate) const COMMAND: Command = Command {
               A row a command: its task's name, the voice, its own pairs. Where a task has no voices, one way to say it\n\
               stands in the command's column, until people have said theirs. What the pairs of a row leave open is told\n\
               on standard error.\n\
+              \n\
+              \x20 --study NAME      a study as one file instead, for collect.html: an item a task, 5 pairs each\n\
+              \x20 --from CORPUS     an item a row of a corpus instead, with the row's own pairs\n\
+              \x20 --rehearsed       keep what was said of each row, rejected rows among them, for ?simulate=SEED\n\
+              \x20 --settings FILE   JSON of what else a study says: language, shown, asked, order, again, words, hosts,\n\
+              \x20                   ends, pay, care\n\
               \n\
               \x20 --worlds N        instead of pairs: a world a line, as JSON, by the seeds from --seed on\n\
               \x20 --style STYLE     cuts, rows, or hall: rooms along a corridor (cuts)\n\
@@ -40,6 +47,7 @@ struct Options {
     pairs: Option<usize>,
     seed: u64,
     json: bool,
+    study: Wanted,
     blueprint: Blueprint,
 }
 
@@ -56,6 +64,10 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
             "tasks" => options.tasks = Some(arguments.value()?),
             "pairs" => options.pairs = Some(arguments.value()?.parse()?),
             "json" => options.json = true,
+            "study" => options.study.name = Some(arguments.value()?.parse()?),
+            "from" => options.study.corpus.push(arguments.value()?.into()),
+            "rehearsed" => options.study.rehearsed = true,
+            "settings" => options.study.settings = Some(arguments.value()?.into()),
             "worlds" => options.worlds = Some(arguments.value()?.parse()?),
             "style" => blueprint.style = arguments.value()?.parse()?,
             "rooms" => blueprint.rooms = arguments.value()?.parse()?,
@@ -68,7 +80,9 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
         match name.as_str() {
             "seed" | "json" => {}
-            "tasks" | "pairs" => of_pairs = Some(name),
+            "tasks" | "pairs" | "study" | "from" | "rehearsed" | "settings" => {
+                of_pairs = Some(name);
+            }
             _ => of_worlds = Some(name),
         }
     }
@@ -77,8 +91,19 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
             "--{pairs} is for pairs of states and --{worlds} for worlds: leave one out"
         ))),
         (_, Some(_)) => worlds(&options),
+        (_, None) if options.study.is_wanted() => {
+            let tasks = options.tasks.as_ref().map(|file| tasks(file)).transpose()?;
+            study::write(&options.study, tasks, options.pairs, options.seed)
+        }
         (_, None) => pairs(&options),
     }
+}
+
+/// The tasks of a file, or all.
+fn tasks(file: &OsStr) -> Result<Vec<StudyTask>, Failure> {
+    let own = if file == "all" { None } else { Some(text(file.as_ref())?) };
+    read_tasks(own.as_deref().unwrap_or(TASKS))
+        .map_err(|e| Failure::Usage(format!("{}: {e}", file.to_string_lossy())))
 }
 
 /// Pairs for the tasks of a study.
@@ -89,10 +114,8 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
     if !(1..=MAX_PAIRS).contains(&n) {
         return Err(Failure::Usage(format!("--pairs {n}: use 1 to {MAX_PAIRS}")));
     }
-    let own = if file == "all" { None } else { Some(text(file.as_ref())?) };
     let place = file.to_string_lossy();
-    let tasks = read_tasks(own.as_deref().unwrap_or(TASKS))
-        .map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
+    let tasks = tasks(file)?;
     let mut corpus = Corpus::default();
     let mut error = io::stderr();
     for task in &tasks {

@@ -28,7 +28,8 @@ impl View {
     pub fn of(name: &str) -> Option<View> {
         Some(match name {
             "" | "talk" => View::Talk,
-            "train" => View::Train,
+            // Studies are a part of it, which it turns to by itself.
+            "train" | "study" => View::Train,
             "kept" => View::Kept,
             "help" => View::Help,
             _ => return None,

@@ -4,7 +4,7 @@
 use super::engine::{Engine, Errand, Health};
 use super::language::Language;
 use super::words::Text;
-use crate::worker::protocol::{Envelope, Event, Program, Request, VERSION};
+use crate::worker::protocol::{Envelope, Event, Program, Request, StudySaid, VERSION};
 
 /// Who has engines: the page, and the workbench its own.
 pub trait Owner {
@@ -53,6 +53,7 @@ pub fn heard(owner: &mut impl Owner, program: Program, envelope: Envelope<Event>
         Event::Crashed { message } => Some(stopped(owner, program, message)),
         progress @ (Event::Reading { .. }
         | Event::Auditing { .. }
+        | Event::Study(StudySaid::Making(..) | StudySaid::Judging(..))
         | Event::HeldOut { .. }
         | Event::Paused
         | Event::Progress(_)

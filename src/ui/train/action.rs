@@ -1,7 +1,7 @@
 //! What can happen to the workbench: a person did it in one of its parts, the page told it, an engine said it, or a
 //! timer ran out.
 
-use super::{data, experiments, kept, lexicon, run};
+use super::{data, experiments, kept, lexicon, run, study};
 use crate::ui::page::document::Model;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Preferences;
@@ -19,13 +19,16 @@ pub enum Tab {
     Experiments,
     /// What was learned.
     Lexicon,
+    /// Studies, and what people answered.
+    Study,
     /// What is kept.
     Kept,
 }
 
 impl Tab {
     /// All of them, in order.
-    pub const ALL: [Tab; 5] = [Tab::Data, Tab::Run, Tab::Experiments, Tab::Lexicon, Tab::Kept];
+    pub const ALL: [Tab; 6] =
+        [Tab::Data, Tab::Run, Tab::Experiments, Tab::Lexicon, Tab::Study, Tab::Kept];
 
     /// What it is called in the page's code.
     pub const fn name(self) -> &'static str {
@@ -34,6 +37,7 @@ impl Tab {
             Tab::Run => "run",
             Tab::Experiments => "experiments",
             Tab::Lexicon => "lexicon",
+            Tab::Study => "study",
             Tab::Kept => "kept",
         }
     }
@@ -50,6 +54,8 @@ pub enum Action {
     Experiments(experiments::Action),
     /// Something was done with what was learned.
     Lexicon(lexicon::Action),
+    /// Something was done about studies.
+    Study(study::Action),
     /// Something was done with what is kept, or the store said something.
     Kept(kept::Action),
 

@@ -2,17 +2,18 @@
 
 use super::restart::restart;
 use super::state::State;
-use super::{data, experiments, keeping, lexicon, run};
+use super::{data, experiments, keeping, lexicon, run, study};
 use crate::ui::page::engines::News;
 use crate::worker::protocol::{Event, Program, Request};
 
 /// There is news of an engine, or none.
 pub(super) fn told(state: &mut State, news: Option<News>) {
-    let State { desk, data, run, lexicon, .. } = state;
+    let State { desk, data, run, lexicon, study, .. } = state;
     match news {
         Some(News::Progress(
             event @ (Event::Progress(_) | Event::HeldOut { .. } | Event::Paused),
         )) => run::hear::progressed(run, desk, event),
+        Some(News::Progress(Event::Study(said))) => study::hear::progressed(study, &said),
         Some(News::Progress(event)) => data::hear::progressed(data, &event),
         Some(News::Answer(Request::Learn { .. }, event)) => run::hear::ended(run, desk, event),
         Some(News::Answer(Request::Look | Request::Checkpoint | Request::ModelSoFar, event)) => {
@@ -40,6 +41,7 @@ pub(super) fn told(state: &mut State, news: Option<News>) {
             | Request::Compare { .. }),
             event,
         )) => lexicon::hear::answered(lexicon, desk, &request, event),
+        Some(News::Answer(Request::Study(_), event)) => study::hear::answered(study, desk, event),
         Some(News::Answer(request, event)) => data::hear::answered(data, desk, request, event),
         Some(News::Stopped) => {
             (data.reading, data.auditing) = (None, None);

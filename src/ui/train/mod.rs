@@ -10,6 +10,7 @@ pub mod data;
 pub mod run;
 pub mod experiments;
 pub mod lexicon;
+pub mod study;
 pub mod kept;
 pub mod action;
 pub mod state;

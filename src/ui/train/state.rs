@@ -2,7 +2,7 @@
 
 use super::action::Tab;
 use super::desk::Desk;
-use super::{data, experiments, kept, lexicon, run};
+use super::{data, experiments, kept, lexicon, run, study};
 use crate::worker::protocol::Confused;
 use std::rc::Rc;
 
@@ -23,6 +23,8 @@ pub struct State {
     pub experiments: experiments::State,
     /// What was learned.
     pub lexicon: lexicon::State,
+    /// Studies.
+    pub study: study::State,
     /// What is kept.
     pub kept: kept::State,
 }

@@ -5,7 +5,7 @@ use super::effect::Effect;
 use super::restart::restart;
 use super::run::update::Ground;
 use super::state::State;
-use super::{data, experiments, hear, keeping, lexicon, returning, run};
+use super::{data, experiments, hear, keeping, lexicon, returning, run, study};
 use crate::ui::page::engines;
 
 /// Changes the state as the action says, and returns what is to be done.
@@ -41,6 +41,12 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             *tab = Tab::Data;
         }
         Action::Lexicon(action) => lexicon::update::update(lexicon, desk, action),
+        Action::Study(action) => {
+            if let Some(corpus) = study::update::update(&mut state.study, desk, action) {
+                data::update::update(data, desk, data::Action::Offered(vec![corpus]));
+                *tab = Tab::Data;
+            }
+        }
         Action::Kept(action) => keeping::update(state, action),
 
         Action::Turn(to) => {

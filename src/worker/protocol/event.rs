@@ -7,6 +7,7 @@ use super::planning::{Answer, PlanProgress, PlanText, Runs, ValueMap};
 use super::reading::Study;
 use super::request::Wanted;
 use super::sheet::{Checkpoint, Joined, RowReading, SheetReport};
+use super::study::StudySaid;
 use crate::corpus::Preview;
 use crate::domain::State;
 use crate::learn::audit::Errors;
@@ -156,4 +157,6 @@ pub enum Event {
     Heard,
     /// What this request began rests.
     Paused,
+    /// Something was done about a study, or is being done.
+    Study(StudySaid),
 }

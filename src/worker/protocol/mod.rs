@@ -8,6 +8,7 @@ mod event;
 mod planning;
 mod reading;
 mod sheet;
+mod study;
 mod wire;
 mod talk;
 mod beyond;
@@ -28,6 +29,7 @@ pub use request::{Request, Wanted};
 pub use sheet::{
     Checkpoint, Fault, FileReport, Form, Joined, MappedFile, RowReading, SheetReport, Split,
 };
+pub use study::{StudyAsk, StudySaid};
 pub use talk::{decode_asked, decode_said};
 pub use wire::{Reader, WireError, decode, encode};
 
@@ -47,3 +49,4 @@ pub use crate::learn::sheet::{
     Window,
 };
 pub use crate::plan::Why;
+pub use crate::study::judge::Verdict as AnswerVerdict;

@@ -4,6 +4,7 @@ use super::learning::{CorpusFile, Lesson};
 use super::message::Program;
 use super::planning::WorldRules;
 use super::sheet::{Form, MappedFile, Split};
+use super::study::StudyAsk;
 use crate::domain::{Blueprint, State};
 use crate::learn::Settings;
 use crate::learn::inspect::EntryView;
@@ -297,6 +298,8 @@ pub enum Request {
     StepExample,
     /// What rests goes on to the end of an epoch → as for `Pause`.
     StepEpoch,
+    /// Something is to be done about a study → [`Event::Study`](super::Event::Study).
+    Study(StudyAsk),
 }
 
 impl Request {

@@ -1,35 +1,18 @@
-//! The address of the page: which view is open stands behind its `#`, or a whole session, packed. Packing is the
-//! browser's own (`CompressionStream`), so that the page need not carry any.
+//! The address of the page: which view is open stands behind its `#`, or a whole session, packed.
+
 use crate::ui::app::action::{Action, View};
-use crate::ui::page::view::host;
+use crate::ui::page::view::packed::{pack, unpack};
+use crate::ui::page::view::{forms, host};
 use crate::ui::talk;
 use crate::ui::talk::share::session::LONGEST_LINK;
 use crate::ui::talk::share::state::Link;
-use js_sys::{Array, Uint8Array};
-use wasm_bindgen::prelude::{Closure, wasm_bindgen};
+use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{Blob, ReadableWritablePair, Response, Window};
+use wasm_bindgen_futures::spawn_local;
 use yew::Callback;
 
 /// What stands before a session in a link.
 const SESSION: &str = "#s=";
-
-/// How a session is packed.
-const FORMAT: &str = "deflate-raw";
-
-#[wasm_bindgen]
-extern "C" {
-    #[wasm_bindgen(extends = ReadableWritablePair)]
-    type CompressionStream;
-    #[wasm_bindgen(constructor, catch)]
-    fn new(format: &str) -> Result<CompressionStream, JsValue>;
-
-    #[wasm_bindgen(extends = ReadableWritablePair)]
-    type DecompressionStream;
-    #[wasm_bindgen(constructor, catch)]
-    fn new(format: &str) -> Result<DecompressionStream, JsValue>;
-}
 
 /// Tells the page what its address says, now and whenever it changes.
 pub(super) fn watch(act: &Callback<Action>) {
@@ -59,7 +42,7 @@ fn read(act: &Callback<Action>) {
         act.emit(Action::Linked(hash.trim_start_matches('#').to_owned()));
         let (packed, act) = (packed.to_owned(), act.clone());
         spawn_local(
-            async move { act.emit(Action::Talk(talk::Action::Open(unpack(&packed).await))) },
+            async move { act.emit(Action::Talk(talk::Action::Open(opened(&packed).await))) },
         );
     } else if let Some(said) = hash.strip_prefix("#say=") {
         // Said once: the browser comes back to the talk, and not to this.
@@ -72,10 +55,10 @@ fn read(act: &Callback<Action>) {
     }
 }
 
-/// Makes a link that holds a text, puts it into the address bar and onto the clipboard.
-pub(super) fn share(text: String, act: Callback<Action>) {
+/// Makes a link that holds a session, puts it into the address bar and onto the clipboard.
+pub(super) fn share(packed: Vec<u8>, act: Callback<Action>) {
     spawn_local(async move {
-        let link = match link(&text).await {
+        let link = match made(&packed).await {
             Ok(address) => {
                 let copied = host::copy(&address).await;
                 Ok(Link { address, copied })
@@ -84,6 +67,10 @@ pub(super) fn share(text: String, act: Callback<Action>) {
         };
         act.emit(Action::Talk(talk::Action::Shared(link)));
     });
+}
+
+async fn made(session: &[u8]) -> Result<String, String> {
+    link(&forms::forms().await?.write_session(session)).await
 }
 
 async fn link(text: &str) -> Result<String, String> {
@@ -111,35 +98,6 @@ fn replace(address: &str) {
     }
 }
 
-/// A text as a link holds it: deflated, in the letters of base 64 that an address needs not escape.
-async fn pack(window: &Window, text: &str) -> Result<String, JsValue> {
-    let blob = Blob::new_with_str_sequence(&Array::of1(&JsValue::from_str(text)))?;
-    let bytes = piped(&blob, &CompressionStream::new(FORMAT)?.into()).await?;
-    let letters: String = bytes.to_vec().into_iter().map(char::from).collect();
-    let letters = window.btoa(&letters)?;
-    Ok(letters.replace('+', "-").replace('/', "_").trim_end_matches('=').to_owned())
-}
-
-async fn unpack(packed: &str) -> Result<String, String> {
-    if packed.len() > LONGEST_LINK {
-        return Err("it is too long".to_owned());
-    }
-    let broken = |_: JsValue| "it is damaged, or was cut off on its way".to_owned();
-    let window = web_sys::window().ok_or("there is no window")?;
-    let letters = packed.replace('-', "+").replace('_', "/");
-    let letters = window.atob(&letters).map_err(broken)?;
-    let bytes: Vec<u8> = letters.chars().map(|c| c as u8).collect();
-    let parts = Array::of1(&Uint8Array::from(bytes.as_slice()));
-    let blob = Blob::new_with_u8_array_sequence(&parts).map_err(broken)?;
-    let stream = DecompressionStream::new(FORMAT).map_err(broken)?;
-    let bytes = piped(&blob, &stream.into()).await.map_err(broken)?;
-    String::from_utf8(bytes.to_vec()).map_err(|_| "it is damaged".to_owned())
-}
-
-/// The bytes of a blob behind a stream that changes them. Deflate makes at most a thousand of one, and what comes in
-/// is short.
-async fn piped(blob: &Blob, through: &ReadableWritablePair) -> Result<Uint8Array, JsValue> {
-    let changed = blob.stream().pipe_through(through);
-    let response = Response::new_with_opt_readable_stream(Some(&changed))?;
-    Ok(Uint8Array::new(&JsFuture::from(response.array_buffer()?).await?))
+async fn opened(packed: &str) -> Result<Vec<u8>, String> {
+    forms::session(unpack(packed, LONGEST_LINK).await?).await
 }

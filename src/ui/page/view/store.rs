@@ -1,6 +1,5 @@
 //! The store in IndexedDB: an index of copies and what they hold, texts or bytes, so that what is kept can be listed
-//! without being read.
-//! Linked by the program `keeper` alone.
+//! without being read. Linked by the program `keeper`; what its errors mean, `collect` knows by it as well.
 
 use crate::ui::page::keep::copies::{COPIES, Entry, Item, items, key, newest_first, next};
 use crate::ui::page::keep::fault::Fault;
@@ -78,7 +77,7 @@ impl Store {
             });
             upgrading.set(made.is_err());
         });
-        let mut database = request.await.map_err(|error| match fault(&error) {
+        let mut database = request.await.map_err(|error| match fault_of(&error) {
             Fault::Other(_) => Fault::None,
             fault => fault,
         })?;
@@ -111,7 +110,7 @@ impl Store {
         let entry = serde_json::to_string(&entry).unwrap_or_default();
         texts.put(&content.value(), Some(&place)).map_err(of)?.await.map_err(of)?;
         index.put(&entry.into(), Some(&place)).map_err(of)?.await.map_err(of)?;
-        end(transaction).await
+        finish(transaction).await
     }
 
     /// The bytes under a kind and a name, and whether the newest copy of them was damaged.
@@ -163,7 +162,7 @@ impl Store {
                 store.delete(place).map_err(of)?.await.map_err(of)?;
             }
         }
-        end(transaction).await
+        finish(transaction).await
     }
 
     fn begin(
@@ -211,7 +210,10 @@ fn entry(value: &JsValue) -> Option<Entry> {
 }
 
 /// Waits until everything of a transaction is kept.
-async fn end(transaction: Transaction) -> Result<(), Fault> {
+///
+/// # Errors
+/// When it is not, most of all for want of room.
+pub(crate) async fn finish(transaction: Transaction) -> Result<(), Fault> {
     match transaction.commit().map_err(of)?.await.map_err(of)? {
         TransactionResult::Committed => Ok(()),
         // Nothing here takes a change back: the browser did, which it does for want of room.
@@ -220,11 +222,11 @@ async fn end(transaction: Transaction) -> Result<(), Fault> {
 }
 
 fn of(error: Error) -> Fault {
-    fault(&error)
+    fault_of(&error)
 }
 
 /// What an error of the browser means here.
-fn fault(error: &Error) -> Fault {
+pub(crate) fn fault_of(error: &Error) -> Fault {
     let name = match error {
         Error::DomException(exception) => exception.name(),
         Error::AddFailed(value)

@@ -15,6 +15,7 @@ use crate::ui::train::kept::view::{of_run, panel as kept_panel};
 use crate::ui::train::lexicon::view::panel as lexicon_panel;
 use crate::ui::train::run::view::panel as run_panel;
 use crate::ui::train::state::State;
+use crate::ui::train::study::view::panel as study_panel;
 use crate::ui::train::update::reduce;
 use js_sys::Function;
 use web_sys::{DragEvent, Element, File};
@@ -67,6 +68,10 @@ impl Component for Workbench {
         let cores = web_sys::window().map_or(1.0, |w| w.navigator().hardware_concurrency());
         act.emit(Action::Cores(cores as u32));
         host::watch_preferences(&act.reform(Action::Prefers));
+        let address = web_sys::window().and_then(|window| window.location().hash().ok());
+        if address.as_deref() == Some("#study") {
+            act.emit(Action::Turn(Tab::Study));
+        }
         let effects = Effects::new(act, ctx.props().tell.clone());
         Workbench { state: State::default(), effects, dragging: false }
     }
@@ -85,7 +90,7 @@ impl Component for Workbench {
     }
 
     fn view(&self, ctx: &Context<Self>) -> Html {
-        let State { desk, shown, tab, data, run, experiments, lexicon, kept } = &self.state;
+        let State { desk, shown, tab, data, run, experiments, lexicon, study, kept } = &self.state;
         if !shown {
             return Html::default();
         }
@@ -118,6 +123,7 @@ impl Component for Workbench {
                             Tab::Run => run_panel(run, desk, data.commands(), of_run(kept, desk.language, run.run.is_some()), &act.reform(Action::Run), &offer),
                             Tab::Experiments => experiments_panel(experiments, desk, data.held_out(),
                                 desk.is_ready() && data.commands() > 0, &act.reform(Action::Experiments)),
+                            Tab::Study => study_panel(study, desk, &act.reform(Action::Study)),
                             Tab::Kept => kept_panel(kept, desk, [data.sheet.is_some(), desk.in_use.is_some()], &act.reform(Action::Kept)),
                             Tab::Lexicon => lexicon_panel(lexicon, desk, self.state.confused(), &act.reform(Action::Lexicon)),
                         } }

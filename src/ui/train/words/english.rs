@@ -11,6 +11,7 @@ pub(super) static ENGLISH: Text = Text {
         Tab::Run => "Train",
         Tab::Experiments => "Experiments",
         Tab::Lexicon => "What it learned",
+        Tab::Study => "Studies",
         Tab::Kept => "Kept",
     },
 };

@@ -11,6 +11,7 @@ pub(super) static GERMAN: Text = Text {
         Tab::Run => "Trainieren",
         Tab::Experiments => "Versuche",
         Tab::Lexicon => "Gelerntes",
+        Tab::Study => "Studien",
         Tab::Kept => "Aufbewahrt",
     },
 };

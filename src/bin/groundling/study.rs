@@ -1,0 +1,90 @@
+//! A study as one file, for `generate`: of tasks, or of a corpus's rows.
+
+use super::command::{Done, Failure};
+use super::corpora::{examples, text};
+use groundling::study::make::{Making, of_corpus};
+use groundling::study::{Study, StudyTask};
+use serde_json::Value;
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+/// Pairs of an item, where nothing is said.
+const PAIRS: usize = 5;
+
+/// What study is wanted.
+#[derive(Debug, Default)]
+pub(crate) struct Wanted {
+    /// What it is called.
+    pub(crate) name: Option<String>,
+    /// The corpora whose rows are its items.
+    pub(crate) corpus: Vec<PathBuf>,
+    /// Whether what was said of them is kept.
+    pub(crate) rehearsed: bool,
+    /// What else it says.
+    pub(crate) settings: Option<PathBuf>,
+}
+
+impl Wanted {
+    /// Whether one is wanted at all.
+    pub(crate) fn is_wanted(&self) -> bool {
+        let Wanted { name, corpus, rehearsed, settings } = self;
+        name.is_some() || !corpus.is_empty() || *rehearsed || settings.is_some()
+    }
+}
+
+/// Writes the study.
+pub(crate) fn write(
+    wanted: &Wanted,
+    tasks: Option<Vec<StudyTask>>,
+    pairs: Option<usize>,
+    seed: u64,
+) -> Result<Done, Failure> {
+    let usage = |what: &str| Failure::Usage(what.to_owned());
+    let name = wanted.name.as_ref().ok_or_else(|| usage("--study NAME is missing"))?;
+    let mut study = Study::new(name, Vec::new());
+    study.seed = u32::try_from(seed).map_err(|_| usage("a study's seed is below 4294967296"))?;
+    if let Some(path) = &wanted.settings {
+        let wrong = |what: String| Failure::Usage(format!("{}: {what}", path.display()));
+        let mut all = serde_json::to_value(&study).unwrap_or_default();
+        let more: Value = serde_json::from_str(&text(path)?).map_err(|e| wrong(e.to_string()))?;
+        let more = more.as_object().ok_or_else(|| wrong("settings are an object".to_owned()))?;
+        for (key, value) in more {
+            all[key] = value.clone();
+        }
+        study = serde_json::from_value(all).map_err(|e| wrong(e.to_string()))?;
+    }
+    let study = match tasks {
+        None if wanted.corpus.is_empty() => {
+            return Err(usage("--tasks FILE|all is missing, or --from CORPUS"));
+        }
+        None => of_corpus(
+            study,
+            &examples(&wanted.corpus, wanted.rehearsed)?.examples,
+            wanted.rehearsed,
+        ),
+        Some(_) if !wanted.corpus.is_empty() || wanted.rehearsed => {
+            return Err(usage("--tasks draws pairs, --from brings its own: leave one out"));
+        }
+        Some(tasks) => {
+            let pairs = pairs.unwrap_or(PAIRS);
+            if !(1..=100).contains(&pairs) {
+                return Err(Failure::Usage(format!("--pairs {pairs}: use 1 to 100")));
+            }
+            let mut making = Making::new(study, tasks, pairs);
+            let made = loop {
+                if let Some(made) = making.step() {
+                    break made.map_err(|e| Failure::Usage(e.to_string()))?;
+                }
+            };
+            for open in &made.open {
+                // Nobody may be listening there; the pairs are good all the same.
+                let _ = writeln!(io::stderr(), "{open}");
+            }
+            made.study
+        }
+    };
+    let text = study.write();
+    Study::read(&text).map_err(|e| Failure::Usage(format!("the study: {e}")))?;
+    io::stdout().write_all(text.as_bytes()).map_err(Failure::Output)?;
+    Ok(Done::Well)
+}

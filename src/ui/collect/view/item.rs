@@ -1,0 +1,127 @@
+//! A turn: its pictures, what changed in them, and the box for the command. And the worked example, which looks alike.
+
+use crate::render::Options;
+use crate::study::Showing;
+use crate::ui::collect::action::Action;
+use crate::ui::collect::change::changed;
+use crate::ui::collect::state::State;
+use crate::ui::collect::words::Text;
+use crate::ui::page::view::picture::Picture;
+use web_sys::{HtmlTextAreaElement, InputEvent, KeyboardEvent, SubmitEvent};
+use yew::{Callback, Html, TargetCast, html};
+
+/// A turn, from 0.
+pub(super) fn turn(state: &State, at: usize, act: &Callback<Action>) -> Html {
+    let text = Text::of(state.language);
+    let Some(((study, _), sitting)) = state.study.as_ref().zip(state.sitting.as_ref()) else {
+        return Html::default();
+    };
+    let Some((turn, item)) =
+        sitting.turns.get(at).and_then(|turn| Some((turn, study.items.get(turn.item)?)))
+    else {
+        return Html::default();
+    };
+    let shows: Vec<&Showing> = turn.shows.iter().filter_map(|&at| item.shows.get(at)).collect();
+    let typed = act.reform(|event: InputEvent| {
+        let pasted = match event.input_type().as_str() {
+            "insertFromPaste" | "insertFromDrop" => {
+                let data = event.data().map_or(0, |data| data.chars().count());
+                // Some browsers do not say what was pasted.
+                (data as u32).max(1)
+            }
+            _ => 0,
+        };
+        let field = event.target_dyn_into::<HtmlTextAreaElement>();
+        let value = field.map(|field| field.value()).unwrap_or_default();
+        let pasted = if pasted == 1 { value.chars().count() as u32 } else { pasted };
+        Action::Typed(value, pasted)
+    });
+    let sent = act.reform(|event: SubmitEvent| {
+        event.prevent_default();
+        Action::Answer
+    });
+    let pressed = {
+        let act = act.clone();
+        Callback::from(move |event: KeyboardEvent| {
+            if event.key() == "Enter" && !event.shift_key() && !event.is_composing() {
+                event.prevent_default();
+                act.emit(Action::Answer);
+            }
+        })
+    };
+    let of = sitting.turns.len();
+    let is_empty = state.text.trim().is_empty();
+    html! {
+        <section class="turn" aria-labelledby="heading">
+            <p class="progress">
+                <progress max={of.to_string()} value={at.to_string()} aria-label={(text.item)(at + 1, of)} />
+                <span>{ (text.item)(at + 1, of) }</span>
+            </p>
+            <h1 id="heading" tabindex="-1">{ (text.ask)(shows.len()) }</h1>
+            { showings(state, &shows, act) }
+            <form class="answer-box" onsubmit={sent}>
+                <label for="command">{ text.command }</label>
+                <textarea id="command" data-testid="command" rows="2" maxlength="20000" value={state.text.clone()} oninput={typed}
+                    onkeydown={pressed} aria-describedby="hint" autocomplete="off" spellcheck="false" />
+                <p class="dim" id="hint">{ text.hint }</p>
+                <button type="submit" class="primary" data-testid="next" disabled={is_empty}>
+                    { text.next }
+                </button>
+            </form>
+        </section>
+    }
+}
+
+/// Showings beside one another, each with what changed on demand.
+pub(super) fn showings(state: &State, shows: &[&Showing], act: &Callback<Action>) -> Html {
+    html! {
+        <ol class="showings">{ for shows.iter().enumerate().map(|(at, showing)| one(state, at, showing, act)) }</ol>
+    }
+}
+
+fn one(state: &State, at: usize, showing: &Showing, act: &Callback<Action>) -> Html {
+    let text = Text::of(state.language);
+    let is_pointed = state.pointed.contains(&at);
+    let (pre, post) = showing.states();
+    let [from, to] = if is_pointed { changed(showing) } else { Default::default() };
+    let picture = |world: &crate::domain::State, highlight, words: &'static str| {
+        let theme = state.preferences.theme;
+        let options = Options { theme, letters: true, highlight, ..Options::default() };
+        let label = format!("{words}: {}", text.grammar.world(world));
+        html! {
+            <figure>
+                <figcaption>{ words }</figcaption>
+                <Picture world={world.clone()} {options} {label} />
+            </figure>
+        }
+    };
+    let id = format!("change-{}", at + 1);
+    html! {
+        <li data-showing="" data-testid="showing">
+            <h2>{ (text.showing)(at + 1) }</h2>
+            <div class="both">
+                { picture(pre, from, text.before) }
+                { picture(post, to, text.after) }
+            </div>
+            <button type="button" class="quiet" data-testid={id} aria-pressed={is_pointed.to_string()}
+                onclick={act.reform(move |_| Action::Point(at))}>
+                { if is_pointed { text.hide_change } else { text.show_change } }
+            </button>
+            <p class="changed" aria-live="polite">
+                if is_pointed { { text.grammar.change(pre, post) } }
+            </p>
+        </li>
+    }
+}
+
+/// A button that does something.
+pub(super) fn button(
+    id: &'static str,
+    class: &'static str,
+    words: &str,
+    act: &Callback<Action>,
+    action: Action,
+) -> Html {
+    let pressed = act.reform(move |_: yew::MouseEvent| action.clone());
+    html! { <button type="button" {class} data-testid={id} onclick={pressed}>{ words }</button> }
+}

@@ -1,0 +1,94 @@
+//! Making a study: what it is to be, drawing it, and the file that comes of it.
+
+use super::panel::{bar, button};
+use crate::ui::page::view::fields::{line, number, tick};
+use crate::ui::page::view::files::open_file;
+use crate::ui::train::desk::Desk;
+use crate::ui::train::study::action::{Action, Change, Saved};
+use crate::ui::train::study::state::{Draft, State};
+use crate::ui::train::study::words::Text;
+use web_sys::{HtmlTextAreaElement, InputEvent};
+use yew::{Callback, Html, TargetCast, html};
+
+/// The form, and the study.
+pub(super) fn make(
+    state: &State,
+    desk: &Desk,
+    text: &'static Text,
+    act: &Callback<Action>,
+) -> Html {
+    let Draft { name, german, tasks, pairs, shown, asked, seed, consent, hosts, ends, cents } =
+        &state.draft;
+    let n = |id: &'static str,
+             label: &'static str,
+             value: u32,
+             most: u32,
+             change: fn(u32) -> Change| {
+        let told = act.reform(move |n: f64| Action::Draft(change(n as u32)));
+        let least = u32::from(matches!(id, "study-pairs" | "study-shown"));
+        let bounds = [value, least, most, 1].map(f64::from);
+        number(id.into(), label.into(), bounds, false, told)
+    };
+    let words =
+        |id: &'static str, label: &'static str, value: &str, change: fn(String) -> Change| {
+            line(id, label, "text", value, act.reform(move |words| Action::Draft(change(words))))
+        };
+    html! {
+        <section class="card" aria-labelledby="study-title">
+            <h2 id="study-title">{ text.make_title }</h2>
+            <p class="dim">{ text.make_help }</p>
+            <div class="fields">
+                { words("study-name", text.name, name, Change::Name) }
+                { tick("study-german".into(), text.german.into(), *german, false,
+                    act.reform(|on| Action::Draft(Change::German(on)))) }
+            </div>
+            <div class="settings">
+                { n("study-pairs", text.pairs, *pairs, 20, Change::Pairs) }
+                { n("study-shown", text.shown, *shown, 20, Change::Shown) }
+                { n("study-asked", text.asked, *asked, 500, Change::Asked) }
+                { n("study-seed", text.seed, *seed, u32::MAX, Change::Seed) }
+                { n("study-cents", text.cents, *cents, 100_000, Change::Cents) }
+            </div>
+            <details>
+                <summary>{ format!("{}, {}, {}", text.consent, text.hosts, text.ends) }</summary>
+                <div class="fields">
+                    { words("study-consent", text.consent, consent, Change::Consent) }
+                    { words("study-hosts", text.hosts, hosts, Change::Hosts) }
+                    { words("study-ends", text.ends, ends, Change::Ends) }
+                    { area("study-tasks", text.tasks, tasks, act.reform(|words| Action::Draft(Change::Tasks(words)))) }
+                </div>
+            </details>
+            <p class="buttons">
+                <button type="button" class="primary" data-testid="study-make" disabled={!desk.is_ready()}
+                    onclick={act.reform(|_| Action::Make)}>{ text.make }</button>
+                { button("study-save", (text.saved)(Saved::Study), state.study.is_none(), act, Action::Save(Saved::Study)) }
+            </p>
+            { open_file("study-file", text.open_study, ".json", None, &act.reform(Action::Open)) }
+            { bar("study-making", text.making, state.making) }
+            if let Some(notice) = &state.notice { <p class="notice" role="status" data-testid="study-notice">{ notice }</p> }
+            if let Some(study) = &state.study {
+                <p data-testid="study-is">{ (text.study_is)(&study.name, study.items.len(), &study.fingerprint()) }</p>
+                <p class="dim">{ text.host_it }</p>
+            }
+            if !state.open.is_empty() {
+                <details>
+                    <summary>{ text.open }</summary>
+                    <ul class="problems">{ for state.open.iter().map(|words| html! { <li>{ words }</li> }) }</ul>
+                </details>
+            }
+        </section>
+    }
+}
+
+/// A text of several lines.
+fn area(id: &'static str, label: &'static str, value: &str, change: Callback<String>) -> Html {
+    let typed = change.reform(|event: InputEvent| {
+        event.target_dyn_into::<HtmlTextAreaElement>().map_or(String::new(), |area| area.value())
+    });
+    html! {
+        <label class="field grow" for={id}>
+            <span>{ label }</span>
+            <textarea {id} data-testid={id} rows="3" value={value.to_owned()} oninput={typed} spellcheck="false" />
+        </label>
+    }
+}

@@ -1,0 +1,9 @@
+//! Studies as they are drawn; wasm only.
+
+mod make;
+mod survey;
+mod rows;
+mod review;
+mod panel;
+
+pub(crate) use panel::panel;

@@ -1,0 +1,98 @@
+//! The answers as a table, a page of them at once, each with its flags and what can be decided of it; and how far each
+//! task has come.
+
+use super::panel::button;
+use crate::corpus::Decision;
+use crate::study::coverage::coverage;
+use crate::ui::train::study::action::Action;
+use crate::ui::train::study::files::PAGE;
+use crate::ui::train::study::state::State;
+use crate::ui::train::study::words::Text;
+use yew::{Callback, Html, html};
+
+/// The answers on view.
+pub(super) fn rows(state: &State, text: &'static Text, act: &Callback<Action>) -> Html {
+    let seen = state.seen();
+    let from = state.from.min(seen.len().saturating_sub(1));
+    let some: Vec<usize> = seen.iter().copied().skip(from).take(PAGE).collect();
+    let to = from + some.len();
+    let before = Action::From(from.saturating_sub(PAGE));
+    html! {
+        <>
+            <div class="scroll" tabindex="0" role="group" aria-label={text.review_title}>
+                <table class="entries">
+                    <thead><tr>
+                        <th>{ text.answer }</th><th>{ text.task }</th><th>{ text.person }</th>
+                        <th>{ text.flags }</th><th>{ text.decision }</th><th><span class="unseen">{ text.approve }</span></th>
+                    </tr></thead>
+                    <tbody>{ for some.into_iter().map(|at| row(state, at, text, act)) }</tbody>
+                </table>
+            </div>
+            <p class="buttons">
+                { button("earlier", text.earlier, from == 0, act, before) }
+                { button("later", text.later, to >= seen.len(), act, Action::From(to)) }
+                <span class="dim" data-testid="seen-answers">{ (text.range)(from + usize::from(to > from), to, seen.len()) }</span>
+            </p>
+        </>
+    }
+}
+
+fn row(state: &State, at: usize, text: &'static Text, act: &Callback<Action>) -> Html {
+    let Some(row) = state.review.rows.get(at) else { return Html::default() };
+    let answer = &row.answer;
+    let [open, approved, rejected] = text.decisions;
+    let (decision, why) = match &row.decision {
+        Decision::Open => (open, ""),
+        Decision::Approved => (approved, ""),
+        Decision::Rejected(why) => (rejected, &**why),
+    };
+    let is_open = row.decision == Decision::Open;
+    let named = |id, words: &str, action| button(id, words, false, act, action);
+    html! {
+        <tr data-testid="answer-row" data-decision={decision}>
+            <td dir="auto" class="command">{ &answer.command }</td>
+            <td>{ answer.task.clone() }</td>
+            <td>{ &answer.worker }</td>
+            <td>{ for row.flags.iter().map(|&flag| html! { <span class="mark">{ (text.flag)(flag) }</span> }) }</td>
+            <td>{ decision }if !why.is_empty() { { ": " }{ why } }</td>
+            <td class="buttons">
+                if is_open {
+                    { named("approve", text.approve, Action::Approve(at)) }
+                    { named("reject", text.reject, Action::Reject(at)) }
+                } else {
+                    { named("reopen", text.reopen, Action::Reopen(at)) }
+                }
+            </td>
+        </tr>
+    }
+}
+
+/// How far each task has come.
+pub(super) fn tasks(state: &State, text: &'static Text) -> Html {
+    let is_judged = state.review.is_judged();
+    let line = |found: crate::study::coverage::Coverage| {
+        let lacks = found.answers - found.rejected < state.wanted as usize;
+        html! {
+            <tr data-testid="coverage-row" data-lacks={lacks.to_string()}>
+                <td>{ &found.task }</td><td>{ found.items }</td><td>{ found.answers }</td>
+                <td>{ found.approved }</td><td>{ found.rejected }</td>
+                <td>{ if is_judged { found.valid.to_string() } else { text.none.to_owned() } }</td>
+                <td>{ format!("{:.2}", found.agreement) }</td>
+            </tr>
+        }
+    };
+    html! {
+        <details>
+            <summary>{ text.coverage }</summary>
+            <div class="scroll" tabindex="0" role="group" aria-label={text.coverage}>
+                <table class="entries">
+                    <thead><tr>
+                        <th>{ text.task }</th><th>{ text.items }</th><th>{ text.answers }</th><th>{ text.approved }</th>
+                        <th>{ text.rejected }</th><th>{ text.valid }</th><th>{ text.agreement }</th>
+                    </tr></thead>
+                    <tbody>{ for coverage(&state.against(), &state.review).into_iter().map(line) }</tbody>
+                </table>
+            </div>
+        </details>
+    }
+}
