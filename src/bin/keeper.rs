@@ -1,15 +1,19 @@
 //! The keeper's module: the store of what the page keeps, which the page imports once it is to be seen
-//! (`ui::page::view::keeper`). Its exports are all there is of it. A fault is thrown as its name.
+//! (`ui::page::view::keeper`), and the texts that sessions, lessons and worlds go out and come in as
+//! (`ui::page::view::forms`). Its exports are all there is of it. A fault is thrown as its name, any other error in words.
 
 #[cfg(target_arch = "wasm32")]
 mod exports {
     #![expect(unreachable_pub, reason = "reached from JavaScript")]
 
+    use groundling::domain::State as World;
     use groundling::ui::kept::view::list;
     use groundling::ui::page::keep::fault::Fault;
     use groundling::ui::page::language::Language;
     use groundling::ui::page::view::claim;
     use groundling::ui::page::view::store::{Content, Store};
+    use groundling::ui::talk::share::session::Session;
+    use groundling::ui::talk::teach::learn;
     use js_sys::{Array, Function, Uint8Array};
     use std::rc::Rc;
     use wasm_bindgen::JsValue;
@@ -85,6 +89,31 @@ mod exports {
             let language = Language::of(&language).unwrap_or_default();
             list::show(self.0.clone(), into, language).await.map_err(thrown)
         }
+    }
+
+    /// A session, checked and packed, from its text.
+    #[wasm_bindgen]
+    pub fn read_session(text: &str) -> Result<Vec<u8>, String> {
+        Session::read(text).map(|session| session.pack()).map_err(|error| error.to_string())
+    }
+
+    /// The text of a session that is packed.
+    #[wasm_bindgen]
+    pub fn write_session(packed: &[u8]) -> String {
+        Session::unpack(packed).map(|session| session.write()).unwrap_or_default()
+    }
+
+    /// The corpus of lessons that are packed.
+    #[wasm_bindgen]
+    pub fn write_lessons(packed: &[u8]) -> String {
+        learn::corpus(packed)
+    }
+
+    /// A world, checked and packed, from JSON.
+    #[wasm_bindgen]
+    pub fn read_world(text: &str) -> Result<Vec<u8>, String> {
+        let world = World::read(text).map_err(|error| format!("it is no world: {error}"))?;
+        postcard::to_allocvec(&world).map_err(|error| error.to_string())
     }
 
     fn teller(told: &Function, fault: Fault) -> impl FnOnce() + 'static {

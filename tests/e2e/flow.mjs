@@ -11,7 +11,7 @@ import { axeFile, root } from './packages.mjs';
 /** The flows declared so far. */
 export const flows = [];
 
-/** Declares a flow; `settings` are those of a browser context (viewport, reducedMotion …), and `gpu: false` for one without. */
+/** Declares a flow; `settings` are those of a browser context (viewport, reducedMotion …), `gpu: false` for one without, `seconds` for one that takes long. */
 export function flow(title, settings, body) {
   flows.push(body ? { title, settings, body } : { title, settings: {}, body: settings });
 }

@@ -9,7 +9,7 @@ import { Flow, flows } from './flow.mjs';
 import { chromium, root } from './packages.mjs';
 import { serve } from './server.mjs';
 
-/** Longest time for one flow, unless it asks for more. */
+/** Longest time for one flow, unless it says otherwise. */
 const SECONDS = 120;
 
 const words = process.argv.slice(2);

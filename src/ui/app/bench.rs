@@ -9,7 +9,6 @@ use crate::ui::page::effect::Effect;
 use crate::ui::page::files::Given;
 use crate::ui::page::model;
 use crate::ui::page::news::News;
-use crate::ui::talk;
 
 /// It is to be seen: has it fetched, if it is not there.
 pub(super) fn begin(state: &mut State) {
@@ -43,7 +42,7 @@ pub(super) fn told(state: &mut State, news: News) {
 }
 
 /// Gives the robot what a person brought.
-pub(super) fn give(State { shared, talk, view, .. }: &mut State, given: Given) {
+pub(super) fn give(State { shared, view, .. }: &mut State, given: Given) {
     match given {
         Given::Model(text) => {
             model::open(shared, text, Origin::File);
@@ -53,7 +52,7 @@ pub(super) fn give(State { shared, talk, view, .. }: &mut State, given: Given) {
         }
         Given::Session(text) => {
             keep::put_aside(shared);
-            talk::update::update(talk, shared, talk::Action::Open(Ok(text)));
+            shared.want(Effect::ReadSession(text));
             *view = View::Talk;
         }
     }

@@ -59,10 +59,11 @@ fn claimed(shared: &mut Shared, ours: bool) {
 }
 
 /// What was kept of a session has been read.
-fn read(state: &mut State, place: Place, found: Option<(String, bool)>) {
+fn read(state: &mut State, place: Place, found: Option<(Result<Vec<u8>, String>, bool)>) {
     let keep = &mut state.shared.keep;
     if keep.stage == Stage::Reading && keep.link.is_some() && place.name == OWN {
-        let session = found.as_ref().and_then(|(text, _)| Session::read(text).ok());
+        let packed = found.as_ref().and_then(|(packed, _)| packed.as_deref().ok());
+        let session = packed.and_then(Session::unpack);
         let also = session.and_then(|session| Also::unpack(&session.also?));
         let made = also.and_then(|also| also.made);
         if made != keep.link {
@@ -79,13 +80,14 @@ fn read(state: &mut State, place: Place, found: Option<(String, bool)>) {
         let ours = state.shared.keep.fault != Some(Fault::Elsewhere);
         state.shared.keep.stage = if ours { Stage::Keeping } else { Stage::Watching };
     }
-    let Some((text, was_damaged)) = found else { return };
+    let Some((packed, was_damaged)) = found else { return };
     if is_first && state.shared.keep.link.is_none() && state.talk.is_begun(&state.shared) {
         state.shared.keep.origin = Some(Origin::New);
         let before = Place::new(SESSION, BEFORE);
-        return state.shared.want(Effect::Keep(Ask::Write(before, text)));
+        let kept = packed.ok().map(|packed| Effect::Keep(Ask::Write(before, packed)));
+        return kept.into_iter().for_each(|effect| state.shared.want(effect));
     }
-    talk::update::update(&mut state.talk, &mut state.shared, talk::Action::Open(Ok(text)));
+    talk::update::update(&mut state.talk, &mut state.shared, talk::Action::Open(packed));
     if is_first {
         // Before that there was nothing to go back to.
         state.shared.history = History::new();
@@ -164,17 +166,17 @@ pub(super) fn keep(state: &mut State) {
     if stage != Stage::Keeping || !is_begun || !is_settled(&state.talk, &state.shared) {
         return;
     }
-    let text = text(state);
+    let packed = packed(state);
     let shared = &mut state.shared;
-    if shared.keep.last != text {
+    if shared.keep.last != packed {
         let place = shared.keep.place();
-        shared.keep.last.clone_from(&text);
-        shared.want(Effect::Keep(Ask::Write(place, text)));
+        shared.keep.last.clone_from(&packed);
+        shared.want(Effect::Keep(Ask::Write(place, packed)));
     }
 }
 
 /// The session as it is kept.
-fn text(state: &State) -> String {
+fn packed(state: &State) -> Vec<u8> {
     let State { shared, talk, .. } = state;
     let Document { preset, origin, draft, .. } = &shared.document;
     let also = Also {
@@ -192,7 +194,7 @@ fn text(state: &State) -> String {
         }),
     };
     let session = Session { also: Some(also.pack()), ..Session::of(shared, true) };
-    session.write()
+    session.pack()
 }
 
 /// Begins afresh: as a page that was never opened, but for what undo brings back.

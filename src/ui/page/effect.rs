@@ -24,8 +24,16 @@ pub enum Effect {
     Keep(Ask),
     /// The person reads another language.
     SetLanguage(Language),
-    /// Make a link that holds a text, show it in the address bar and copy it.
-    Share(String),
+    /// Make a link that holds a session, packed; show it in the address bar and copy it.
+    Share(Vec<u8>),
+    /// Offer a session, packed, to the person as a file.
+    SaveSession(Vec<u8>),
+    /// Offer lessons, packed, to the person as a corpus.
+    SaveLessons(Vec<u8>),
+    /// Read the text of a session.
+    ReadSession(String),
+    /// Read a world from JSON.
+    ReadWorld(String),
     /// Copy a text.
     Copy(String),
     /// Move the keyboard's focus to an element, and bring it into view.

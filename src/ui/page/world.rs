@@ -1,6 +1,6 @@
 //! The worlds that the page offers.
 
-use crate::domain::{Agent, Direction, State};
+use crate::domain::{Agent, Direction, State, text};
 
 /// A world to choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,8 +9,8 @@ pub struct Choice {
     pub name: Name,
     /// A command that shows what is special in it.
     pub example: &'static str,
-    /// Its state as JSON.
-    pub json: &'static str,
+    /// Its drawing in characters.
+    pub drawing: &'static str,
 }
 
 /// What a world is called.
@@ -28,29 +28,29 @@ pub const WORLDS: [Choice; 4] = [
     Choice {
         name: Name::ThreeRooms,
         example: "put the yellow block in the biggest room",
-        json: include_str!("../../../assets/worlds/three-rooms.json"),
+        drawing: include_str!("../../../assets/worlds/three-rooms.txt"),
     },
     Choice {
         name: Name::Hall,
         example: "put the chair next to the bag",
-        json: include_str!("../../../assets/worlds/hall.json"),
+        drawing: include_str!("../../../assets/worlds/hall.txt"),
     },
     Choice {
         name: Name::Store,
         example: "take the magenta box to the red room",
-        json: include_str!("../../../assets/worlds/store.json"),
+        drawing: include_str!("../../../assets/worlds/store.txt"),
     },
     Choice {
         name: Name::Locked,
         example: "go to the room with the basket",
-        json: include_str!("../../../assets/worlds/locked.json"),
+        drawing: include_str!("../../../assets/worlds/locked.txt"),
     },
 ];
 
 impl Choice {
     /// The world in the state it begins in. They are known to be legal, by a test.
     pub fn open(&self) -> Option<State> {
-        serde_json::from_str(self.json).ok()
+        text::read_legal(self.drawing).ok()
     }
 }
 

@@ -8,7 +8,7 @@ use super::room::state::{Mode, Tool};
 use super::share::state::Link as Address;
 use super::watch::state::{Layer, Speed};
 use super::why::help::Help;
-use crate::domain::{Blueprint, Color};
+use crate::domain::{Blueprint, Color, State as World};
 use crate::ui::page::preferences::Depth;
 use crate::worker::protocol::WorldRules;
 
@@ -97,6 +97,8 @@ pub enum Action {
     TypedText(String),
     /// Open the world that the text draws.
     ApplyText,
+    /// A world has been read from JSON, or why that is none.
+    WorldRead(Result<World, String>),
 
     /// The words of a lesson changed.
     TypedLesson(String),
@@ -118,7 +120,7 @@ pub enum Action {
     /// Save all this as a file.
     SaveSession,
     /// A link or a file was opened that holds this, or something unreadable.
-    Open(Result<String, String>),
+    Open(Result<Vec<u8>, String>),
     /// The message about sharing was read.
     CloseShare,
 }

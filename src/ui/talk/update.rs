@@ -87,6 +87,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::ToggleText => worlds::toggle_text(state, shared),
         Action::TypedText(text) => state.room.text = Some(text),
         Action::ApplyText => worlds::apply_text(state, shared),
+        Action::WorldRead(world) => worlds::was_read(state, shared, world),
 
         Action::TypedLesson(words) => learn::typed(state, &words),
         Action::Teach => learn::teach(state, shared),

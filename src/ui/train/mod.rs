@@ -15,6 +15,7 @@ pub mod kept;
 pub mod action;
 pub mod state;
 pub mod restart;
+pub mod returning;
 pub mod keeping;
 pub mod hear;
 pub mod update;

@@ -5,14 +5,14 @@ use super::effect::Effect;
 use super::restart::restart;
 use super::run::update::Ground;
 use super::state::State;
-use super::{data, experiments, hear, keeping, lexicon, run, study};
+use super::{data, experiments, hear, keeping, lexicon, returning, run, study};
 use crate::ui::page::engines;
 
 /// Changes the state as the action says, and returns what is to be done.
 pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
     let mut action = action;
     if let Action::Data(data::Action::Offered(files)) = &mut action {
-        keeping::take_run(state, files);
+        returning::take_run(state, files);
     }
     let State { desk, shown, tab, data, run, lexicon, .. } = state;
     match action {

@@ -36,7 +36,7 @@ async function reached(demo) {
   return Number(pass) * 1e6 + Number(command);
 }
 
-flow('a run goes on after a reload and after a closed tab, to the same bytes', async (t) => {
+flow('a run goes on after a reload and after a closed tab, to the same bytes', { seconds: 240 }, async (t) => {
   t.expect(/ERR_ABORTED/);
   const corpus = many(30);
   const demo = await openTrain(t);
@@ -68,14 +68,15 @@ flow('a run goes on after a reload and after a closed tab, to the same bytes', a
   }
 });
 
-flow('a store that fills up while it learns is told, and the run goes on', async (t) => {
+flow('a store that fills up while it learns is told, and the run goes on', { seconds: 240 }, async (t) => {
   const demo = await openTrain(t);
   const session = await t.context.newCDPSession(demo.page);
   const { origin } = new URL(t.address);
   await keptRun(demo, 'mine.csv', many(100), 50);
   const { usage } = await session.send('Storage.getUsageAndQuota', { origin });
   await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: Math.max(1, Math.floor(usage / 2)) });
-  await demo.by('run-not-kept').waitFor({ timeout: 40_000 });
+  // The browser asks anew how much room there is after half a minute.
+  await demo.by('run-not-kept').waitFor({ timeout: 90_000 });
   await t.equal(() => demo.by('run-not-kept').getAttribute('data-fault'), 'full', 'the fault');
   await t.check(async () => /goes on[^]*kept as it was at pass/.test(await demo.by('run-not-kept').textContent()),
     async () => demo.by('run-not-kept').textContent());

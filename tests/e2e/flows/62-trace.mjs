@@ -5,35 +5,18 @@
 import { flow } from '../flow.mjs';
 import { detached } from '../heap.mjs';
 import { openPage } from '../page.mjs';
+import { isTask, mainThreads, trace } from '../trace.mjs';
 
 /**
  * Runs `body` under Chromium's trace; returns the tasks of the page's main thread, of these what drew a frame, and the
  * milliseconds of CPU that its main thread and its workers spent from each key press to the next.
  */
 async function traced(page, body) {
-  const browser = page.context().browser();
-  const categories = ['-*', 'devtools.timeline', 'disabled-by-default-devtools.timeline', 'toplevel', '__metadata'];
-  await browser.startTracing(page, { categories });
-  let events;
-  try {
-    await body();
-  } finally {
-    ({ traceEvents: events } = JSON.parse(await browser.stopTracing()));
-  }
-  const isMain = ({ name, args }) => name === 'thread_name' && args.name === 'CrRendererMain';
-  const threads = events.filter(isMain).map(({ pid, tid }) => {
-    const own = events.filter((event) => event.pid === pid && event.tid === tid);
-    const callbacks = own.filter(({ name }) => name === 'FireAnimationFrame').map(({ ts }) => ts);
-    const tasks = own.filter(isTask).map(({ ts, dur, tdur }) => ({
-      clock: dur / 1000,
-      cpu: (tdur ?? dur) / 1000,
-      frame: callbacks.some((callback) => ts <= callback && callback < ts + dur),
-    }));
-    const isKey = ({ name, args }) => name === 'EventDispatch' && args.data?.type === 'keydown';
-    return { pid, tid, tasks, keys: own.filter(isKey).map(({ ts }) => ts) };
-  });
+  const events = await trace(page, body);
   // There may be other renderers; ours is at work.
-  const [{ pid, tid, tasks, keys }] = threads.sort((one, other) => other.tasks.length - one.tasks.length);
+  const [{ pid, tid, own, tasks }] = mainThreads(events);
+  const isKey = ({ name, args }) => name === 'EventDispatch' && args.data?.type === 'keydown';
+  const keys = own.filter(isKey).map(({ ts }) => ts);
   const isWorker = (event) => event.name === 'thread_name' && event.pid === pid && /Worker/.test(event.args.name);
   const ours = new Set([tid, ...events.filter(isWorker).map((event) => event.tid)]);
   const all = events.filter((event) => event.pid === pid && ours.has(event.tid) && isTask(event));
@@ -43,8 +26,6 @@ async function traced(page, body) {
   });
   return { tasks, frames: tasks.filter(({ frame }) => frame), pressed };
 }
-
-const isTask = ({ name, dur }) => name === 'RunTask' && dur;
 
 const cpu = (tasks) => tasks.reduce((all, task) => all + task.cpu, 0);
 

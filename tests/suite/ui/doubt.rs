@@ -112,7 +112,7 @@ fn a_link_holds_the_answer_and_not_an_open_question() {
     let session = Session::of(&page.state.shared, false);
     assert_eq!(session.form.as_deref(), Some("(f:t)"));
     let mut other = Page::ready();
-    other.act(talk::Action::Open(Ok(session.write())));
+    other.act(talk::Action::Open(Ok(session.pack())));
     let readings = vec![reading("(f:t)"), outside("(g:t)")];
     let answer = Answer { readings, asks: vec![1, 0], ..understood("go", None) };
     other.answer(Event::Answer(Box::new(answer)));
@@ -215,7 +215,7 @@ fn the_resource_comes_after_the_model_and_is_given_to_a_new_engine() {
     // What a link holds waits for it: its words may need it.
     let session =
         Session { command: Some("go".to_owned()), ..Session::of(&page.state.shared, false) };
-    page.act(talk::Action::Open(Ok(session.write())));
+    page.act(talk::Action::Open(Ok(session.pack())));
     assert!(page.posted.is_empty());
     page.act(Action::FetchedWords(Ok("stool\tchair\n".to_owned())));
     assert!(matches!(page.asked(), Request::Words { .. }));

@@ -27,26 +27,26 @@ fn wanted(page: &mut Page) -> Vec<Ask> {
 }
 
 /// A page whose store is open, with what there was of the session.
-fn opened(mut page: Page, ours: bool, found: Option<String>) -> Page {
+fn opened(mut page: Page, ours: bool, found: Option<Vec<u8>>) -> Page {
     page.act(Action::Stored(News::Open));
     let claim = Ask::Claim { name: "own".to_owned(), steal: false };
     assert_eq!(wanted(&mut page), [claim]);
     page.act(Action::Stored(News::Claimed(ours)));
     assert_eq!(wanted(&mut page), [Ask::Read(own())]);
-    page.act(Action::Stored(News::Read(own(), found.map(|text| (text, false)))));
+    page.act(Action::Stored(News::Read(own(), found.map(|packed| (Ok(packed), false)))));
     page
 }
 
 /// The session that a page keeps, once its timer rings.
-fn kept(page: &mut Page) -> Option<(Place, String)> {
+fn kept(page: &mut Page) -> Option<(Place, Vec<u8>)> {
     page.act(Action::Rang(Timer::Keep));
     wanted(page).into_iter().find_map(|ask| match ask {
-        Ask::Write(place, text) => Some((place, text)),
+        Ask::Write(place, packed) => Some((place, packed)),
         _ => None,
     })
 }
 
-fn session() -> String {
+fn session() -> Vec<u8> {
     let mut page = opened(Page::told(3), true, None);
     while page.play_on() {}
     kept(&mut page).unwrap().1
@@ -103,18 +103,29 @@ fn what_was_said_stands_in_its_order_when_it_comes_back() {
 
 #[test]
 fn what_another_build_kept_besides_is_left_and_the_rest_comes_back() {
-    let packed = |text: &str| Session::read(text).unwrap().also.unwrap();
-    let text = session();
-    let also = packed(&text);
+    let mut kept = Session::unpack(&session()).unwrap();
+    let also = kept.also.clone().unwrap();
     assert_eq!(Also::unpack(&also).unwrap().pack(), also);
     let other = also.replacen('\u{1}', "\u{7f}", 1);
     assert_eq!(Also::unpack(&other), None);
-    let mut kept = Session::read(&text).unwrap();
     kept.also = Some(other);
-    let page = opened(Page::ready(), true, Some(kept.write()));
+    let page = opened(Page::ready(), true, Some(kept.pack()));
     assert_eq!(page.state.shared.keep.origin, Some(Origin::Last));
     assert_eq!(page.state.talk.command.input, "go");
     assert!(page.state.talk.past.lines.is_empty());
+}
+
+#[test]
+fn what_is_kept_and_is_no_session_is_told_and_the_page_begins() {
+    let mut page = opened(Page::ready(), true, None);
+    page.act(Action::GoBack);
+    wanted(&mut page);
+    let before = page.state.shared.document.clone();
+    page.act(Action::Stored(News::Read(own(), Some((Err("it is odd".to_owned()), false)))));
+    assert!(page.state.shared.announcement.contains("it is odd"));
+    page.act(Action::Stored(News::Read(own(), Some((Ok(vec![1, 2, 3]), false)))));
+    assert!(page.state.shared.announcement.contains("another build"));
+    assert_eq!(page.state.shared.document, before);
 }
 
 #[test]
@@ -147,7 +158,7 @@ fn a_link_has_a_place_of_its_own() {
     assert!(name.starts_with("link "), "{name}");
     page.act(Action::Stored(News::Claimed(true)));
     assert_eq!(wanted(&mut page), [Ask::Read(own())]);
-    page.act(Action::Stored(News::Read(own(), Some((session(), false)))));
+    page.act(Action::Stored(News::Read(own(), Some((Ok(session()), false)))));
     let link = Place::new("session", &name);
     assert_eq!(wanted(&mut page), [Ask::Read(link.clone())]);
     page.act(Action::Stored(News::Read(link.clone(), None)));

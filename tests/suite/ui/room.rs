@@ -4,6 +4,7 @@ use super::{Page, world};
 use groundling::domain::Direction;
 use groundling::render::{Options, Thing};
 use groundling::ui::app::Action;
+use groundling::ui::page::effect::Effect;
 use groundling::ui::talk;
 use groundling::ui::talk::room::overlay;
 use groundling::ui::talk::room::point::{Key, Point, PointKind};
@@ -149,6 +150,15 @@ fn other_worlds_come_from_the_engine_and_are_undone() {
     page.act(Action::Undo);
     page.act(Action::Undo);
     assert_eq!((page.shown(), page.state.shared.document.preset), (&world(), Some(0)));
+    page.act(talk::Action::ToggleText);
+    page.answer(Event::WorldText { text: "a map".to_owned() });
+    page.act(talk::Action::TypedText(" {}".to_owned()));
+    page.act(talk::Action::ApplyText);
+    assert_eq!(page.others.last(), Some(&Effect::ReadWorld(" {}".to_owned())));
+    page.act(talk::Action::WorldRead(Err("it is no world".to_owned())));
+    assert_eq!(page.state.talk.room.notice.as_deref(), Some("it is no world"));
+    page.act(talk::Action::WorldRead(Ok(other.clone())));
+    assert_eq!((page.shown(), page.state.talk.room.text.clone()), (&other, None));
 }
 
 #[test]

@@ -27,6 +27,7 @@ fn session() -> Session {
 #[test]
 fn a_session_reads_back_as_it_was_written() {
     assert_eq!(Session::read(&session().write()), Ok(session()));
+    assert_eq!(Session::unpack(&session().pack()), Some(session()));
 }
 
 #[test]
@@ -34,8 +35,8 @@ fn what_is_shared_is_what_was_said_and_where() {
     let mut page = Page::told(3);
     while page.play_on() {}
     page.act(talk::Action::Share);
-    let Some(Effect::Share(text)) = page.others.last() else { panic!() };
-    let shared = Session::read(text).unwrap();
+    let Some(Effect::Share(packed)) = page.others.last() else { panic!() };
+    let shared = Session::unpack(packed).unwrap();
     assert_eq!((shared.world, shared.command.as_deref()), (world(), Some("go")));
     assert_eq!((shared.form, shared.model), (None, None));
 }
@@ -43,7 +44,7 @@ fn what_is_shared_is_what_was_said_and_where() {
 #[test]
 fn a_shared_session_opens_lessons_first_then_the_command_then_the_reading() {
     let mut page = Page::ready();
-    page.act(talk::Action::Open(Ok(session().write())));
+    page.act(talk::Action::Open(Ok(session().pack())));
     assert_eq!(
         (page.state.shared.depth, page.state.shared.document.rules.pull),
         (Depth::See, true)
@@ -97,7 +98,7 @@ fn what_a_link_may_not_hold_is_refused_and_changes_nothing() {
         assert!(wanted(&error), "{error:?}");
         let mut page = Page::ready();
         let before = page.state.shared.document.clone();
-        page.act(talk::Action::Open(Ok(session.write())));
+        page.act(talk::Action::Open(Err(error.to_string())));
         assert_eq!(page.state.shared.document, before);
         assert!(
             page.state.talk.sharing.notice.as_ref().is_some_and(|n| n.contains(&error.to_string()))

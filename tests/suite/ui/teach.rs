@@ -8,6 +8,7 @@ use groundling::ui::page::files::Given;
 use groundling::ui::talk;
 use groundling::ui::talk::room::point::Key;
 use groundling::ui::talk::room::state::Mode;
+use groundling::ui::talk::teach::learn;
 use groundling::ui::talk::teach::state::Missing;
 use groundling::worker::protocol::{Event, Lesson, Program, Request};
 
@@ -132,8 +133,8 @@ fn lessons_are_saved_as_a_corpus_that_the_project_reads() {
     let mut page = learned();
     page.others.clear();
     page.act(talk::Action::SaveLessons);
-    let [Effect::Save { name, text }] = page.others.as_slice() else { panic!() };
-    assert_eq!(name, "taught.jsonl");
+    let [Effect::SaveLessons(packed)] = page.others.as_slice() else { panic!() };
+    let text = learn::corpus(packed);
     let (corpus, flaws) = groundling::corpus::read(text.as_bytes(), Default::default());
     assert_eq!(flaws, []);
     assert_eq!(corpus.examples[0].command, "scoot over");

@@ -3,14 +3,14 @@
 use super::{only, pump, refused, taught};
 use crate::ccg::{AMBIGUOUS, model};
 use groundling::ccg::{Doubt, Model};
-use groundling::domain::State;
+use groundling::domain::text;
 use groundling::learn::{CLEANUP_LEXICON, seed_model};
 use groundling::worker::protocol::{
     Answer, Closed, Event, Fate, Reading, Refers, Request, WorldRules,
 };
 use groundling::worker::{Engine, Talker};
 
-const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.json");
+const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.txt");
 const WORDS: &str = include_str!("../../../assets/lexicon/words.txt");
 
 fn open(text: String) -> Engine<Talker> {
@@ -29,7 +29,7 @@ fn speaker() -> Engine<Talker> {
 }
 
 fn answer(engine: &mut Engine<Talker>, command: &str) -> Answer {
-    let state = State::read(WORLD).unwrap();
+    let state = text::read_legal(WORLD).unwrap();
     let ask = Request::Ask { command: command.to_owned(), state, rules: WorldRules::default() };
     match pump(engine, 3, ask).pop() {
         Some(Event::Answer(answer)) => *answer,

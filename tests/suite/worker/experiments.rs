@@ -2,7 +2,7 @@
 //! be cancelled, and say what is wrong with what they were given.
 
 use super::{learner, next, only, pump, refused, settings, six};
-use groundling::domain::State;
+use groundling::domain::text;
 use groundling::learn::experiment::{By, Event as Step, Running, cross};
 use groundling::learn::{Config, DEMONSTRATION_LEXICON, Ties, seed_model};
 use groundling::worker::protocol::{
@@ -11,11 +11,11 @@ use groundling::worker::protocol::{
 use groundling::worker::{Engine, Learner};
 use std::sync::Arc;
 
-const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.json");
+const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.txt");
 
 fn demonstrate(epochs: u32) -> Request {
     let command = "go to the blue room".to_owned();
-    let state = State::read(WORLD).unwrap();
+    let state = text::read_legal(WORLD).unwrap();
     Request::Demonstrate { command, state, settings: settings(epochs) }
 }
 

@@ -3,19 +3,19 @@
 
 use super::{only, pump};
 use groundling::ccg::any_closed;
-use groundling::domain::State;
+use groundling::domain::text;
 use groundling::worker::protocol::{
     Answer, Event, Lesson, Meaning, PairText, Refusal, Request, TeachReport, What, WorldRules,
 };
 use groundling::worker::{Engine, Learner, Talker};
 
 const MODEL: &str = include_str!("../../../assets/model/cleanup.model");
-const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.json");
+const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.txt");
 const BOTH: &str = "take the block to the green room and go to the blue room";
 
 /// A lesson that takes the robot and the block to these cells.
 fn shown(command: &str, robot: (i32, i32), block: (i32, i32)) -> Lesson {
-    let pre = State::read(WORLD).unwrap();
+    let pre = text::read_legal(WORLD).unwrap();
     let mut post = pre.clone();
     (post.agent.x, post.agent.y) = robot;
     (post.objects[0].x, post.objects[0].y) = block;
@@ -38,7 +38,7 @@ fn teach(examples: &[Lesson]) -> TeachReport {
 fn ask(model: &str, command: &str) -> Answer {
     let mut engine = Engine::<Talker>::new();
     pump(&mut engine, 1, Request::OpenModel { text: model.to_owned() });
-    let state = State::read(WORLD).unwrap();
+    let state = text::read_legal(WORLD).unwrap();
     let ask = Request::Ask { command: command.to_owned(), state, rules: WorldRules::default() };
     match pump(&mut engine, 2, ask).pop() {
         Some(Event::Answer(answer)) => *answer,

@@ -3,13 +3,13 @@
 
 use super::{only, pump};
 use groundling::ccg::Model;
-use groundling::domain::State;
+use groundling::domain::{State, text};
 use groundling::ui::page::world::WORLDS;
 use groundling::worker::protocol::{Answer, Event, Request, Wanted, WorldRules, lost};
 use groundling::worker::{Engine, Talker};
 
 const MODEL: &str = include_str!("../../../assets/model/cleanup.model");
-const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.json");
+const WORLD: &str = include_str!("../../../assets/worlds/three-rooms.txt");
 const CASES: &str = include_str!("../../data/ccg/shipped.txt");
 
 fn engine() -> Engine<Talker> {
@@ -30,7 +30,7 @@ fn it_is_small_and_reads_back_the_same() {
 #[test]
 fn it_understands_what_a_visitor_is_likely_to_say() {
     let mut engine = engine();
-    let state = State::read(WORLD).unwrap();
+    let state = text::read_legal(WORLD).unwrap();
     let (mut command, mut found) = ("", String::new());
     for line in CASES.lines() {
         if line.starts_with("=> ") {

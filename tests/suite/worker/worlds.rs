@@ -43,8 +43,6 @@ fn a_world_goes_to_text_and_back() {
     };
     assert_eq!(drawn, text::print(&state));
     assert_eq!(world(Request::ReadWorld { text: drawn }), state);
-    let json = format!("\n {}", state.write());
-    assert_eq!(world(Request::ReadWorld { text: json }), state);
 }
 
 #[test]
@@ -57,11 +55,6 @@ fn a_text_that_is_no_world_is_refused_with_its_place() {
     for (source, said) in [
         (String::new(), "line 1, column 1: the map has no robot: put one of ^ v < > somewhere"),
         ("####\n#^?#\n####\n".to_owned(), "line 2, column 3: `?` stands in no line of the legend"),
-        (
-            "{\"agent\": {\"x\": 1}}".to_owned(),
-            "it is no world: missing field `y` at line 1 column 18",
-        ),
-        (illegal.write(), "share the cell"),
         (text::print(&walled), "line 1, column 1: `agent` stands in a wall, at column 0, row 0"),
     ] {
         let message = refused(&mut engine, Request::ReadWorld { text: source });

@@ -8,7 +8,7 @@ use crate::figures::{report_json, report_text};
 use crate::parallel::run_one;
 use groundling::ccg::{ChartConfig, Model, parse};
 use groundling::corpus::{Example, Options, read};
-use groundling::domain::{Rules, State};
+use groundling::domain::{Rules, State, text as drawing};
 use groundling::ground::{Goal, Task};
 use groundling::learn::DEMONSTRATION_LEXICON;
 use groundling::learn::experiment::{Run, Selection};
@@ -20,7 +20,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 const SIX: &str = include_str!("../../../../assets/corpus/six.csv");
-const WORLD: &str = include_str!("../../../../assets/worlds/three-rooms.json");
+const WORLD: &str = include_str!("../../../../assets/worlds/three-rooms.txt");
 
 /// What came of the command that was never heard.
 #[derive(Default)]
@@ -55,8 +55,11 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     };
     let place = world.as_ref().map_or("the world".to_owned(), |path| path.display().to_string());
     let own = world.as_deref().map(text).transpose()?;
-    let world = State::read(own.as_deref().unwrap_or(WORLD))
-        .map_err(|e| Failure::Usage(format!("{place}: {e}")))?;
+    let world = match own {
+        Some(own) => State::read(&own).map_err(|error| error.to_string()),
+        None => drawing::read_legal(WORLD).map_err(|error| error.to_string()),
+    };
+    let world = world.map_err(|error| Failure::Usage(format!("{place}: {error}")))?;
     let all = Selection::all(&rows);
     let config = common.config.clone();
     let run = Run {

@@ -1,8 +1,8 @@
 //! The address of the page: which view is open stands behind its `#`, or a whole session, packed.
 
 use crate::ui::app::action::{Action, View};
-use crate::ui::page::view::host;
 use crate::ui::page::view::packed::{pack, unpack};
+use crate::ui::page::view::{forms, host};
 use crate::ui::talk;
 use crate::ui::talk::share::session::LONGEST_LINK;
 use crate::ui::talk::share::state::Link;
@@ -41,9 +41,9 @@ fn read(act: &Callback<Action>) {
     if let Some(packed) = hash.strip_prefix(SESSION) {
         act.emit(Action::Linked(hash.trim_start_matches('#').to_owned()));
         let (packed, act) = (packed.to_owned(), act.clone());
-        spawn_local(async move {
-            act.emit(Action::Talk(talk::Action::Open(unpack(&packed, LONGEST_LINK).await)))
-        });
+        spawn_local(
+            async move { act.emit(Action::Talk(talk::Action::Open(opened(&packed).await))) },
+        );
     } else if let Some(said) = hash.strip_prefix("#say=") {
         // Said once: the browser comes back to the talk, and not to this.
         replace("#talk");
@@ -55,10 +55,10 @@ fn read(act: &Callback<Action>) {
     }
 }
 
-/// Makes a link that holds a text, puts it into the address bar and onto the clipboard.
-pub(super) fn share(text: String, act: Callback<Action>) {
+/// Makes a link that holds a session, puts it into the address bar and onto the clipboard.
+pub(super) fn share(packed: Vec<u8>, act: Callback<Action>) {
     spawn_local(async move {
-        let link = match link(&text).await {
+        let link = match made(&packed).await {
             Ok(address) => {
                 let copied = host::copy(&address).await;
                 Ok(Link { address, copied })
@@ -67,6 +67,10 @@ pub(super) fn share(text: String, act: Callback<Action>) {
         };
         act.emit(Action::Talk(talk::Action::Shared(link)));
     });
+}
+
+async fn made(session: &[u8]) -> Result<String, String> {
+    link(&forms::forms().await?.write_session(session)).await
 }
 
 async fn link(text: &str) -> Result<String, String> {
@@ -92,4 +96,8 @@ fn replace(address: &str) {
     if let Some(history) = web_sys::window().and_then(|w| w.history().ok()) {
         let _ = history.replace_state_with_url(&JsValue::NULL, "", Some(address));
     }
+}
+
+async fn opened(packed: &str) -> Result<Vec<u8>, String> {
+    forms::session(unpack(packed, LONGEST_LINK).await?).await
 }

@@ -4,10 +4,12 @@ use super::bench::Link;
 use crate::ui::app::action::Action;
 use crate::ui::app::state::State;
 use crate::ui::page::effect::Effect;
+use crate::ui::page::view::forms::{self, Forms};
 use crate::ui::page::view::host::{self, beside};
 use crate::ui::page::view::keeper::Keeper;
 use crate::ui::page::view::save::save;
 use crate::ui::page::view::worker::Engine;
+use crate::ui::talk;
 use crate::worker::protocol::{Program, decode_said};
 use gloo_timers::callback::Timeout;
 use wasm_bindgen::{JsCast, JsValue};
@@ -91,7 +93,21 @@ impl Effects {
             }
             Effect::Keep(ask) => self.keeper.ask(ask),
             Effect::SetLanguage(language) => host::set_language(language.code()),
-            Effect::Share(text) => address::share(text, self.act.clone()),
+            Effect::Share(packed) => address::share(packed, self.act.clone()),
+            Effect::SaveSession(packed) => saved("groundling.json", packed, Forms::write_session),
+            Effect::SaveLessons(packed) => saved("taught.jsonl", packed, Forms::write_lessons),
+            Effect::ReadSession(text) => {
+                let act = self.act.reform(Action::Talk);
+                spawn_local(
+                    async move { act.emit(talk::Action::Open(forms::session(text).await)) },
+                );
+            }
+            Effect::ReadWorld(text) => {
+                let act = self.act.reform(Action::Talk);
+                spawn_local(async move {
+                    act.emit(talk::Action::WorldRead(forms::world(text).await));
+                });
+            }
             Effect::Copy(text) => {
                 let act = self.act.clone();
                 spawn_local(async move { act.emit(Action::Copied(host::copy(&text).await)) });
@@ -119,6 +135,15 @@ impl Effects {
             Program::Learner => &mut self.learner,
         }
     }
+}
+
+/// Offers what is packed to the person as a file, once what writes its text has come.
+fn saved(name: &'static str, packed: Vec<u8>, write: fn(&Forms, &[u8]) -> String) {
+    spawn_local(async move {
+        if let Ok(forms) = forms::forms().await {
+            let _ = save(name, &write(&forms, &packed));
+        }
+    });
 }
 
 /// The text of a file beside the page.

@@ -15,10 +15,10 @@ pub enum Ask {
         /// Whether it is taken from the tab that has it.
         steal: bool,
     },
-    /// Read a text.
+    /// Read a session.
     Read(Place),
-    /// Keep a text.
-    Write(Place, String),
+    /// Keep a session, packed.
+    Write(Place, Vec<u8>),
     /// Keep what is kept at a place at another, too.
     Copy(Place, Place),
     /// Draw the list of what is kept into the page, in this language.
@@ -48,9 +48,9 @@ pub enum News {
     Open,
     /// Whether this tab keeps what it claimed.
     Claimed(bool),
-    /// What is kept at a place, and whether its newest copy was damaged.
-    Read(Place, Option<(String, bool)>),
-    /// A text is kept.
+    /// The session that is kept at a place, packed, or why that is none; and whether its newest copy was damaged.
+    Read(Place, Option<(Result<Vec<u8>, String>, bool)>),
+    /// It is kept.
     Written,
     /// Something went wrong, with what is at a place or with all of it.
     Failed(Option<Place>, Fault),

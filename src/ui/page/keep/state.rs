@@ -23,8 +23,8 @@ pub struct Keep {
     pub origin: Option<Origin>,
     /// Whether a person has done something, so that there is something to keep.
     pub is_begun: bool,
-    /// The text that was kept last.
-    pub last: String,
+    /// What was kept last, packed.
+    pub last: Vec<u8>,
     /// Whether a timer runs after which the session is kept.
     pub is_waiting: bool,
 }

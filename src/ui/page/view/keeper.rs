@@ -1,5 +1,6 @@
 //! The page's side of the keeper: imports the module `keeper.js`, asks it in turn, and tells the page what it says.
 
+use super::forms::{self, Forms};
 use super::host;
 use super::module::import;
 use crate::ui::page::keep::ask::{Ask, News, Place};
@@ -91,9 +92,13 @@ impl Keeper {
             }
             Ask::Read(place) => {
                 let found = read(&store, &place).await?;
+                let forms: &Forms = module.unchecked_ref();
+                let found = found
+                    .map(|(text, damaged)| (forms::packed(forms.read_session(&text)), damaged));
                 News::Read(place, found)
             }
-            Ask::Write(Place { kind, name }, text) => {
+            Ask::Write(Place { kind, name }, packed) => {
+                let text = module.unchecked_ref::<Forms>().write_session(&packed);
                 JsFuture::from(store.write(&kind, &name, &text)).await?;
                 News::Written
             }

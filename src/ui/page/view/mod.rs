@@ -17,6 +17,7 @@ pub mod picture;
 pub mod store;
 pub mod claim;
 pub mod module;
+pub mod forms;
 pub mod packed;
 pub mod keeper;
 pub mod foot;

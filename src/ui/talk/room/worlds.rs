@@ -2,6 +2,7 @@
 
 use super::state::Room;
 use crate::domain::State as World;
+use crate::ui::page::effect::Effect;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::world::{Choice, WORLDS};
 use crate::ui::talk::command::ask;
@@ -61,10 +62,26 @@ pub(crate) fn toggle_text(state: &mut State, shared: &mut Shared) {
     }
 }
 
-/// Has the world opened that the text draws.
+/// Has the world opened that the text draws, or that it is as JSON, which begins with a brace.
 pub(crate) fn apply_text(state: &State, shared: &mut Shared) {
-    if let Some(text) = state.room.text.clone() {
-        shared.send(Request::ReadWorld { text }, true);
+    match state.room.text.clone() {
+        Some(text) if text.trim_start().starts_with('{') => shared.want(Effect::ReadWorld(text)),
+        Some(text) => shared.send(Request::ReadWorld { text }, true),
+        None => {}
+    }
+}
+
+/// A world has been read from JSON, or why that is none.
+pub(crate) fn was_read(state: &mut State, shared: &mut Shared, world: Result<World, String>) {
+    match world {
+        Ok(world) => {
+            open(state, shared, world, None);
+            state.room.text = None;
+        }
+        Err(why) => {
+            shared.say(why.clone());
+            state.room.notice = Some(why);
+        }
     }
 }
 

@@ -20,14 +20,14 @@ use std::rc::Rc;
 
 /// Has a link made.
 pub(crate) fn share(shared: &mut Shared) {
-    let text = Session::of(shared, false).write();
-    shared.want(Effect::Share(text));
+    let packed = Session::of(shared, false).pack();
+    shared.want(Effect::Share(packed));
 }
 
 /// Saves a file.
 pub(crate) fn save(shared: &mut Shared) {
-    let text = Session::of(shared, true).write();
-    shared.want(Effect::Save { name: "groundling.json".to_owned(), text });
+    let packed = Session::of(shared, true).pack();
+    shared.want(Effect::SaveSession(packed));
 }
 
 /// A link was made, or could not be.
@@ -45,9 +45,11 @@ pub(crate) fn made(state: &mut State, shared: &mut Shared, made: Result<Link, St
 }
 
 /// A link or a file was opened.
-pub(crate) fn opened(state: &mut State, shared: &mut Shared, text: Result<String, String>) {
-    let session = text.and_then(|text| Session::read(&text).map_err(|error| error.to_string()));
-    match session {
+pub(crate) fn opened(state: &mut State, shared: &mut Shared, packed: Result<Vec<u8>, String>) {
+    let unpacked = |packed: Vec<u8>| {
+        Session::unpack(&packed).ok_or_else(|| "another build of this page read it".to_owned())
+    };
+    match packed.and_then(unpacked) {
         Ok(session) => open(state, shared, session),
         Err(why) => {
             let words = (Text::of(shared.language).bad_link)(&why);

@@ -92,6 +92,22 @@ impl Session {
         }
     }
 
+    /// Its fields in order without names, as the page itself holds it: what reads and writes the text comes when it is
+    /// wanted.
+    pub fn pack(&self) -> Vec<u8> {
+        let Session { version, world, rules, command, form, depth, lessons, model, also } = self;
+        let fields = (version, world, rules, command, form, depth, lessons, model, also);
+        // Every part has such a form.
+        postcard::to_allocvec(&fields).unwrap_or_default()
+    }
+
+    /// What was packed by this very program.
+    pub fn unpack(packed: &[u8]) -> Option<Session> {
+        let (version, world, rules, command, form, depth, lessons, model, also) =
+            postcard::from_bytes(packed).ok()?;
+        Some(Session { version, world, rules, command, form, depth, lessons, model, also })
+    }
+
     /// Its text.
     pub fn write(&self) -> String {
         // Strings and numbers only: JSON can hold them all.

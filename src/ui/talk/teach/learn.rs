@@ -181,15 +181,20 @@ struct Row<'a> {
     pairs: &'a [PairText],
 }
 
-/// Saves the lessons as a corpus, which the page and the command line open: those that were shown.
+/// Saves the lessons as a corpus.
 pub(crate) fn save(shared: &mut Shared) {
-    let row = |(place, taught): (usize, &Taught)| {
-        let Lesson { command, pairs, .. } = &taught.lesson;
+    let lessons = shared.document.taught();
+    // Every part has such a form.
+    shared.want(Effect::SaveLessons(postcard::to_allocvec(&lessons).unwrap_or_default()));
+}
+
+/// Lessons, packed, as a corpus that the page and the command line open: those that were shown.
+pub fn corpus(packed: &[u8]) -> String {
+    let lessons: Vec<Lesson> = postcard::from_bytes(packed).unwrap_or_default();
+    let row = |(place, Lesson { command, pairs, .. }): (usize, &Lesson)| {
         let row = Row { id: format!("taught-{}", place + 1), command, pairs };
         // Strings and numbers only: JSON can hold them all.
         serde_json::to_string(&row).map(|row| row + "\n").unwrap_or_default()
     };
-    let shown = shared.document.lessons.iter().filter(|taught| !taught.lesson.pairs.is_empty());
-    let text = shown.enumerate().map(row).collect();
-    shared.want(Effect::Save { name: "taught.jsonl".to_owned(), text });
+    lessons.iter().filter(|lesson| !lesson.pairs.is_empty()).enumerate().map(row).collect()
 }

@@ -7,9 +7,8 @@ use super::picture::picture;
 use super::pool::{Pool, Work};
 use super::state::State;
 use super::words::Text;
-use crate::domain::State as World;
 use crate::ui::page::files::Offered;
-use crate::ui::page::world::WORLDS;
+use crate::ui::page::world::{Choice, WORLDS};
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
 use crate::worker::protocol::{By, Lexicon, MappedFile, Request, SeedLexicon, Settings, Split};
@@ -93,7 +92,7 @@ pub fn run(state: &mut State, desk: &mut Desk, plan: String, ground: &Ground) {
 /// The paper's Section VII: learns from six sentences, then is told what none of them says.
 fn six(state: &mut State, desk: &mut Desk, ground: &Ground) {
     state.notice = None;
-    let Some(Ok(world)) = WORLDS.first().map(|world| World::read(world.json)) else { return };
+    let Some(Some(world)) = WORLDS.first().map(Choice::open) else { return };
     let lexicon = Lexicon::Here(SeedLexicon::Demonstration);
     let settings = Box::new(Settings { lexicon, ..ground.settings.clone() });
     let command = NEVER_HEARD.to_owned();

@@ -8,7 +8,7 @@ use crate::worker::protocol::By;
 /// The words.
 pub(super) static GERMAN: Text = Text {
     experiments: "Versuche",
-    help: "Mehrere Läufe mit den Einstellungen des Teils Trainieren, verteilt auf so viele Rechenwerke, wie das Gerät Platz hat, höchstens vier; eines fände dasselbe. Woraus gelernt wird und was zurückgehalten ist, gilt so, wie der Korpus unter Daten geteilt ist.",
+    help: "Mehrere Läufe mit den Einstellungen des Teils Trainieren, verteilt auf so viele Rechenkerne, wie das Gerät Platz hat, höchstens vier; eines fände dasselbe. Woraus gelernt wird und was zurückgehalten ist, gilt so, wie der Korpus unter Daten geteilt ist.",
     of_paper: "Die Versuche des Aufsatzes",
     paper_help: "Jeder mit einem Druck, am offenen Korpus. Für die Zahlen des Aufsatzes seine Trainings- und Testdateien zusammen öffnen und die Testdatei unter Daten zurückhalten.",
     paper_share: "Noch ist nichts zurückgehalten: Ein Fünftel der Befehle wird es, gezogen mit dem Startwert der Einstellungen. Unter Daten kann das zurückgenommen werden.",
@@ -33,7 +33,7 @@ pub(super) static GERMAN: Text = Text {
     paper_six: "Der Aufsatz: Das nie gehörte „go to the blue room“ wurde ausgeführt.",
     pool: |done, runs, engines| match engines {
         1 => format!("{done} von {runs} Läufen sind fertig."),
-        _ => format!("{done} von {runs} Läufen sind fertig, mit {engines} Rechenwerken."),
+        _ => format!("{done} von {runs} Läufen sind fertig, mit {engines} Rechenkernen."),
     },
     experiment: "Versuch",
     kind: |kind| match kind {

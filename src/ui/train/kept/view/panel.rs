@@ -81,11 +81,11 @@ fn list(state: &State, language: Language, text: &Text, act: &Callback<Action>) 
     if rows.is_empty() {
         return html! { <p class="dim" data-testid="shelf-empty">{ text.nothing }</p> };
     }
-    let bytes = state.own().map(|(_, item)| item.bytes).sum();
+    let sum = (text.sum)(rows.len(), &size(state.own().map(|(_, item)| item.bytes).sum()));
     html! {
         <>
-            <p class="dim figures" data-testid="shelf-sum">{ (text.sum)(rows.len(), &size(bytes)) }</p>
-            <div class="scroll" tabindex="0" role="region" aria-label={text.title}>
+            <p class="dim figures" data-testid="shelf-sum">{ sum.clone() }</p>
+            <div class="scroll" tabindex="0" role="region" aria-label={sum}>
                 <table class="figures">
                     <thead><tr>
                         { for [text.what, text.called, text.when, text.size].into_iter().map(|head| html! { <th scope="col">{ head }</th> }) }

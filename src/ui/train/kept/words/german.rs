@@ -41,7 +41,7 @@ pub(super) static GERMAN: Text = Text {
     },
     no_corpus: |corpus| {
         format!(
-            "Das Korpus „{corpus}“ dieses Laufs ist nicht mehr aufbewahrt. Öffne seine Dateien wieder unter Daten, und lass den Lauf dann weitergehen."
+            "Der Korpus „{corpus}“ dieses Laufs ist nicht mehr aufbewahrt. Öffne seine Dateien wieder unter Daten, und lass den Lauf dann weitergehen."
         )
     },
     wrong: |name, why| format!("„{name}“ kann nicht geöffnet werden: {why}."),
