@@ -137,9 +137,7 @@ fn answers_are_merged_judged_decided_and_taken_out() {
 
 #[test]
 fn another_programs_trials_are_mapped_first() {
-    let (pre, post) = match showing(1) {
-        groundling::study::Showing::Pair { pre, post } => (pre, post),
-    };
+    let groundling::study::Showing::Pair { pre, post } = showing(1);
     let trials = serde_json::json!([
         { "trial": 1 },
         { "said": "go east", "first": pre, "then": post, "who": "anna" },
