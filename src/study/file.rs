@@ -266,7 +266,8 @@ impl Study {
             let what = format!("the study has more than {} MB", MAX_BYTES >> 20);
             return Err(StudyError(Wrong::with_mend(what, "show fewer pairs, or make two of it")));
         }
-        let study: Study = json::whole_json(text.trim_start_matches('\u{feff}')).map_err(StudyError)?;
+        let study: Study =
+            json::whole_json(text.trim_start_matches('\u{feff}')).map_err(StudyError)?;
         study.check().map_err(StudyError)?;
         Ok(study)
     }
