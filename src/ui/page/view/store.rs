@@ -230,6 +230,7 @@ pub(crate) fn fault_of(error: &Error) -> Fault {
     let name = match error {
         Error::DomException(exception) => exception.name(),
         Error::AddFailed(value)
+        | Error::UpdateFailed(value)
         | Error::IndexedDbOpenFailed(value)
         | Error::TransactionOpenFailed(value) => {
             value.dyn_ref::<DomException>().map(DomException::name).unwrap_or_default()
