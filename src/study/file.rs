@@ -141,7 +141,7 @@ pub struct Item {
 
 /// What shows an item: a pair of states.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged, expecting = "a pair: {pre, post}")]
+#[serde(untagged, from = "States")]
 pub enum Showing {
     /// Before and after.
     Pair {
@@ -150,6 +150,20 @@ pub enum Showing {
         /// The state after.
         post: State,
     },
+}
+
+/// A pair as it stands in a file.
+#[derive(Deserialize)]
+#[serde(expecting = "a pair: {pre, post}")]
+struct States {
+    pre: State,
+    post: State,
+}
+
+impl From<States> for Showing {
+    fn from(States { pre, post }: States) -> Showing {
+        Showing::Pair { pre, post }
+    }
 }
 
 /// What somebody said of an item.

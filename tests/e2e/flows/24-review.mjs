@@ -66,6 +66,7 @@ flow(`${PEOPLE} simulated participants, and what a reviewer makes of them`, asyn
     const careless = answers.filter(({ simulated }) => simulated).length;
     await t.check(answers.every(({ simulated, care }) => simulated !== undefined && care.active_ms >= 4000), 'they are marked');
     const demo = new Demo(t, await t.open(`${t.address}#train`));
+    t.page = demo.page;
     await demo.by('row').first().waitFor();
     await demo.part('study');
     await demo.by('study-file').setInputFiles({ name: 'study.json', mimeType: 'application/json', buffer: Buffer.from(made) });

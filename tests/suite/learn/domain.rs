@@ -40,27 +40,6 @@ fn words_of_the_whole_domain_compose() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// A noun for a room by its size: what general resources say of a hallway, that it is a room, gives way to what is shown.
-#[test]
-fn a_hallway_is_the_biggest_room_where_it_is_shown_to_be() {
-    let shown = include_bytes!("../../data/corpus/hallway.jsonl");
-    let (shown, flaws) = read(&shown[..], Options::default());
-    assert!(flaws.is_empty(), "{flaws:?}");
-    let seed = seed_model(CLEANUP_LEXICON).unwrap();
-    let (mut model, last) = train_from(seed, &shown.examples, &Config::default());
-    assert_eq!(last.unwrap().so_far.valid, shown.examples.len());
-    let config = ChartConfig::of(&model);
-    for (command, wanted) in [
-        ("go to the hallway", "in(the agent, argmax(room, size))"),
-        ("put the block in the hallway", "in(the block, argmax(room, size))"),
-        ("go to the red room", "in(the agent, the λx. red(x) ∧ room(x))"),
-    ] {
-        let parse = parse(&mut model, command, config);
-        let best = parse.readings.first().map(|r| print_human(&model.grammar.terms, r.form));
-        assert_eq!(best.as_deref(), Some(wanted), "{command}");
-    }
-}
-
 #[test]
 fn every_entry_of_the_domain_s_lexicon_fits_its_sorts_and_reads_back() {
     let mut model: Model = seed_model(CLEANUP_LEXICON).unwrap();

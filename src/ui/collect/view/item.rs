@@ -107,7 +107,8 @@ fn one(state: &State, at: usize, showing: &Showing, act: &Callback<Action>) -> H
                 onclick={act.reform(move |_| Action::Point(at))}>
                 { if is_pointed { text.hide_change } else { text.show_change } }
             </button>
-            <p class="changed" aria-live="polite">
+            // For those who do not see the picture alone: words here would become everybody's words.
+            <p class="changed unseen" aria-live="polite">
                 if is_pointed { { text.grammar.change(pre, post) } }
             </p>
         </li>

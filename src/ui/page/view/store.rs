@@ -221,7 +221,8 @@ pub(crate) async fn finish(transaction: Transaction) -> Result<(), Fault> {
     }
 }
 
-fn of(error: Error) -> Fault {
+/// What an error of the browser means here.
+pub(crate) fn of(error: Error) -> Fault {
     fault_of(&error)
 }
 
