@@ -10,8 +10,7 @@ const GUARD: char = '\'';
 
 /// A cell that no spreadsheet takes for a formula.
 pub fn guarded(cell: &str) -> Cow<'_, str> {
-    let bare = cell.trim_start_matches(GUARD);
-    match bare.starts_with(FORMULA) {
+    match is_formula(cell) {
         true => Cow::Owned(format!("{GUARD}{cell}")),
         false => Cow::Borrowed(cell),
     }
@@ -19,6 +18,10 @@ pub fn guarded(cell: &str) -> Cow<'_, str> {
 
 /// The cell that was guarded.
 pub fn unguarded(cell: &str) -> &str {
-    let inner = cell.strip_prefix(GUARD).filter(|rest| guarded(rest).starts_with(GUARD));
-    inner.unwrap_or(cell)
+    cell.strip_prefix(GUARD).filter(|inner| is_formula(inner)).unwrap_or(cell)
+}
+
+/// Whether a cell is a formula, or would be one once it is read: behind any guards.
+fn is_formula(cell: &str) -> bool {
+    cell.trim_start_matches(GUARD).starts_with(FORMULA)
 }

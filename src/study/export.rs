@@ -121,7 +121,7 @@ fn guard(mut example: Example) -> Example {
 
 /// Milliseconds since 1970 as a date and time of the world's clock (civil days: Hinnant); nothing for none.
 fn time(at: f64) -> String {
-    if !(at > 0.0 && at < 4e12) {
+    if !(1.0..4e12).contains(&at) {
         return String::new();
     }
     let seconds = (at / 1000.0) as i64;

@@ -141,7 +141,7 @@ pub struct Item {
 
 /// What shows an item: a pair of states.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged, expecting = "a pair: {pre, post}")]
+#[serde(untagged, from = "States")]
 pub enum Showing {
     /// Before and after.
     Pair {
@@ -150,6 +150,20 @@ pub enum Showing {
         /// The state after.
         post: State,
     },
+}
+
+/// A pair as it stands in a file.
+#[derive(Deserialize)]
+#[serde(expecting = "a pair: {pre, post}")]
+struct States {
+    pre: State,
+    post: State,
+}
+
+impl From<States> for Showing {
+    fn from(States { pre, post }: States) -> Showing {
+        Showing::Pair { pre, post }
+    }
 }
 
 /// What somebody said of an item.
@@ -266,7 +280,8 @@ impl Study {
             let what = format!("the study has more than {} MB", MAX_BYTES >> 20);
             return Err(StudyError(Wrong::with_mend(what, "show fewer pairs, or make two of it")));
         }
-        let study: Study = json::json(text.trim_start_matches('\u{feff}')).map_err(StudyError)?;
+        let study: Study =
+            json::whole_json(text.trim_start_matches('\u{feff}')).map_err(StudyError)?;
         study.check().map_err(StudyError)?;
         Ok(study)
     }

@@ -8,6 +8,11 @@ const PREVIEW: &str = "ASSIGNMENT_ID_NOT_AVAILABLE";
 /// The longest identifier that is taken from a link, in bytes: a longer one is none.
 const LONGEST_ID: usize = 200;
 
+/// What stands before a study that is in the link itself, deflated and in letters that an address need not escape.
+pub const INLINE: &str = "#study=";
+/// The longest study that a link may hold, in letters.
+pub const LONGEST: usize = 60_000;
+
 /// What a link says.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Link {

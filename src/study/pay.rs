@@ -1,5 +1,6 @@
 //! What is owed to whom: a line a participant, as a table.
 
+use super::answer::{Answer, code};
 use super::file::Study;
 use super::review::Review;
 use crate::corpus::{Decision, guarded};
@@ -16,6 +17,8 @@ pub struct Due {
     pub active_ms: u64,
     /// What is owed, in hundredths; nothing where the study says of no pay.
     pub cents: Option<u64>,
+    /// The completion codes of their sittings: what they were shown when all was answered.
+    pub codes: Vec<String>,
 }
 
 /// What is owed to everybody, by name; answers of rehearsals are nobody's.
@@ -36,24 +39,39 @@ pub fn dues(study: &Study, review: &Review) -> Vec<Due> {
     let paid = |mut due: Due| {
         let each = study.pay.as_ref().map(|pay| u64::from(pay.cents));
         due.cents = each.map(|cents| cents * u64::from(due.answers[1]));
+        due.codes = codes(review, &due.worker);
         due
     };
     all.into_values().map(paid).collect()
 }
 
+/// The codes of a participant's sittings that were answered to the end.
+fn codes(review: &Review, worker: &str) -> Vec<String> {
+    let mut sittings: BTreeMap<&str, Vec<Answer>> = BTreeMap::new();
+    for row in review.rows.iter().filter(|row| row.answer.worker == worker) {
+        sittings.entry(row.answer.sitting()).or_default().push(row.answer.clone());
+    }
+    let is_whole = |all: &&Vec<Answer>| {
+        all.iter().all(|one| one.turn[1] == all.len() && !one.study.is_empty())
+    };
+    sittings.values().filter(is_whole).map(|all| code(&all[0].study, all)).collect()
+}
+
 /// The pay sheet as a table.
 pub fn sheet(study: &Study, review: &Review) -> String {
     let currency = study.pay.as_ref().map_or("", |pay| pay.currency.as_str());
-    let mut out = String::from("worker,answers,approved,rejected,minutes,amount,currency\r\n");
-    for Due { worker, answers: [all, approved, rejected], active_ms, cents } in dues(study, review)
-    {
+    let mut out =
+        String::from("worker,answers,approved,rejected,minutes,amount,currency,codes\r\n");
+    for due in dues(study, review) {
+        let Due { worker, answers: [all, approved, rejected], active_ms, cents, codes } = due;
         let amount =
             cents.map_or(String::new(), |cents| format!("{}.{:02}", cents / 100, cents % 100));
         let worker = guarded(&worker).replace('"', "\"\"");
         let currency = guarded(currency).replace('"', "\"\"");
         let minutes = active_ms as f64 / 60_000.0;
         out += &format!(
-            "\"{worker}\",{all},{approved},{rejected},{minutes:.1},{amount},\"{currency}\"\r\n"
+            "\"{worker}\",{all},{approved},{rejected},{minutes:.1},{amount},\"{currency}\",{}\r\n",
+            codes.join(" ")
         );
     }
     out

@@ -50,7 +50,7 @@ fn judge<R>(model: &str, answers: &str) -> Result<Job<R>, String> {
         if work.step() {
             let (done, of) = work.progress();
             let said = StudySaid::Judging(done as u32, of as u32);
-            return Step::Working((done % 8 == 0).then_some(Event::Study(said)));
+            return Step::Working((done.is_multiple_of(8)).then_some(Event::Study(said)));
         }
         let verdicts = judging.take().map(Judging::end).unwrap_or_default();
         Step::Over(Event::Study(StudySaid::Judged(verdicts)))

@@ -295,13 +295,22 @@ export class Demo {
 
   /** Drops files anywhere on the page, each a name and a text, and perhaps what follows it so many times. */
   async dropAll(files) {
-    const transfer = await this.page.evaluateHandle((all) => {
+    await this.let(await this.carried(files));
+  }
+
+  /** Files as a mouse carries them, for `let`; bringing them into the page takes its thread some time. */
+  carried(files) {
+    return this.page.evaluateHandle((all) => {
       const data = new DataTransfer();
       for (const [name, text, more = '', times = 0] of all) {
         data.items.add(new File([text, ...Array(times).fill(more)], name, { type: 'text/csv' }));
       }
       return data;
     }, files);
+  }
+
+  /** Lets go of what the mouse carries. */
+  async let(transfer) {
     await this.page.locator('main').dispatchEvent('drop', { dataTransfer: transfer });
   }
 

@@ -2,10 +2,11 @@
 // `node server.mjs FOLDER [PORT]` serves a folder and prints its address; the flows serve it under a sub-path.
 
 import { createReadStream } from 'node:fs';
-import { stat } from 'node:fs/promises';
+import { readFile, stat } from 'node:fs/promises';
 import http from 'node:http';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 
 const TYPES = {
   '.css': 'text/css; charset=utf-8',
@@ -53,17 +54,24 @@ function listen(server, port, tries) {
 
 /**
  * Serves `folder` at `http://127.0.0.1:PORT` + `under`. A port that is taken gives way to the next one;
- * port 0 takes any. Returns the address and a function that ends the server.
+ * port 0 takes any. With `packed` what travels is packed, as most hosts do it. Returns the address and a function that
+ * ends the server.
  */
-export async function serve(folder, { under = '/', port = 0 } = {}) {
+export async function serve(folder, { under = '/', port = 0, packed = false } = {}) {
   const server = http.createServer(async (request, response) => {
     const file = await fileOf(folder, under, request.url);
     if (!file || !['GET', 'HEAD'].includes(request.method)) {
       response.writeHead(file ? 405 : 404, { 'Content-Type': TYPES['.txt'] });
       return response.end(file ? 'only reading is served here\n' : 'there is no such file\n');
     }
+    const type = TYPES[path.extname(file)] ?? 'application/octet-stream';
+    if (packed) {
+      const bytes = gzipSync(await readFile(file));
+      response.writeHead(200, { 'Content-Type': type, 'Content-Encoding': 'gzip', 'Content-Length': bytes.length });
+      return response.end(bytes);
+    }
     response.writeHead(200, {
-      'Content-Type': TYPES[path.extname(file)] ?? 'application/octet-stream',
+      'Content-Type': type,
       'Content-Length': (await stat(file)).size,
     });
     if (request.method === 'HEAD') return response.end();

@@ -26,6 +26,8 @@ mod text;
 mod bench;
 #[path = "ui/shelf.rs"]
 mod shelf;
+#[path = "ui/studies.rs"]
+mod studies;
 #[path = "ui/train.rs"]
 mod train;
 

@@ -32,7 +32,7 @@ pub fn convert(trials: &Trials, mapping: &SurveyMapping) -> Result<Converted, Wr
     }
     let mut found = Converted::default();
     for (number, (line, trial)) in (1..).zip(&trials.rows) {
-        let Some((command, states)) = parts(trial, mapping) else {
+        let Some(Parts { command, states }) = parts(trial, mapping) else {
             found.others += 1;
             continue;
         };
@@ -74,19 +74,21 @@ pub fn convert(trials: &Trials, mapping: &SurveyMapping) -> Result<Converted, Wr
     Ok(found)
 }
 
-/// The command of a trial and its states as text, if it has both.
-#[expect(clippy::type_complexity, reason = "a command, and pairs of states")]
-fn parts(
-    trial: &Map<String, Value>,
-    mapping: &SurveyMapping,
-) -> Option<(String, Vec<(String, String)>)> {
+/// The command of a trial, and its states as text.
+struct Parts {
+    command: String,
+    states: Vec<(String, String)>,
+}
+
+/// What a trial has of an answer, if it has all of it.
+fn parts(trial: &Map<String, Value>, mapping: &SurveyMapping) -> Option<Parts> {
     let command = plain(at(trial, &mapping.command)?);
     let states = mapping
         .pairs
         .iter()
         .map(|pair| Some((plain(at(trial, &pair.pre)?), plain(at(trial, &pair.post)?))));
-    let states: Vec<(String, String)> = states.collect::<Option<_>>()?;
-    (!command.trim().is_empty()).then_some((command, states))
+    let states = states.collect::<Option<_>>()?;
+    (!command.trim().is_empty()).then_some(Parts { command, states })
 }
 
 /// A value as text: a text itself, anything else as JSON.

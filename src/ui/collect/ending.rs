@@ -5,7 +5,7 @@ use super::state::State;
 use crate::study::ends::{Refusal, Source, back, target};
 use crate::study::file::Study;
 use crate::study::journal::Sitting;
-use crate::study::{End, answer};
+use crate::study::{Answer, End, Link, answer};
 
 /// What is to be done about an end.
 pub(super) fn begin(state: &mut State, end: &End) -> Vec<Effect> {
@@ -32,19 +32,15 @@ fn carried_out(
     source: Source,
     end: &End,
     sitting: &Sitting,
-    link: &crate::study::Link,
+    link: &Link,
 ) -> Result<Effect, Refusal> {
     let url = target(study, source, end, link)?;
     let answers = sitting.answers(study);
     let code = sitting.code(study);
     Ok(match (end, url) {
         (End::Endpoint { key, .. }, Some(url)) => {
-            // Texts, numbers and states: JSON can hold them all.
-            let body = serde_json::json!({
-                "key": key, "study": sitting.study, "name": study.name, "sitting": sitting.name(),
-                "code": code, "answers": answers,
-            });
-            Effect::Post { url, body: body.to_string() }
+            let body = posted(study, sitting, key, &code, &answers);
+            Effect::Post { url, body }
         }
         (End::Form { .. }, Some(url)) => {
             let own = |name: &str, value: String| (name.to_owned(), value);
@@ -64,4 +60,21 @@ fn carried_out(
 pub(super) fn file(study: &Study, sitting: &Sitting) -> Effect {
     let text = answer::lines(&sitting.answers(study));
     Effect::Save { name: format!("answers-{}.jsonl", sitting.name()), text }
+}
+
+/// What an endpoint is sent.
+fn posted(study: &Study, sitting: &Sitting, key: &str, code: &str, answers: &[Answer]) -> String {
+    // A text has a form in JSON, whatever is in it.
+    let text = |value: &str| serde_json::to_string(value).unwrap_or_default();
+    let lines: Vec<String> = answers.iter().map(Answer::line).collect();
+    let name = sitting.name();
+    let names = [
+        ("key", key),
+        ("study", &sitting.study),
+        ("name", &study.name),
+        ("sitting", &name),
+        ("code", code),
+    ];
+    let names = names.map(|(name, value)| format!("{}:{}", text(name), text(value)));
+    format!("{{{},\"answers\":[{}]}}", names.join(","), lines.join(","))
 }

@@ -26,6 +26,8 @@ pub enum Effect {
     Store(Ask),
     /// Tell the page something.
     Tell(News),
+    /// Pack a study into a link.
+    Pack(String),
     /// Offer a text to the person as a file.
     Save {
         /// The file's name.

@@ -31,9 +31,9 @@ pub struct State {
 
 impl State {
     /// What experiments are on.
-    pub fn ground(&self) -> experiments::update::Ground {
+    pub fn ground(&self) -> experiments::share::Ground {
         let sheet = self.data.sheet.as_ref();
-        experiments::update::Ground {
+        experiments::share::Ground {
             files: sheet.map_or_else(|| Rc::from([]), |sheet| sheet.files.clone()),
             with_rejected: sheet.is_some_and(|sheet| sheet.with_rejected),
             held_out: self.data.held_out(),

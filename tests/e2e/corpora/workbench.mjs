@@ -12,9 +12,9 @@ import { engineMemory, mainThreads, trace } from '../trace.mjs';
 const names = (await readdir(process.env.CORPORA)).filter((name) => name.endsWith('.csv'));
 const PASSES = process.env.PASSES ?? '2';
 
-/** Drops a corpus, and waits until it is open. */
-async function opened(demo, name) {
-  await demo.drop(name, await readFile(path.join(process.env.CORPORA, name), 'utf8'));
+/** Lets go of a corpus, and waits until it is open. */
+async function opened(demo, name, carried) {
+  await demo.let(carried);
   await demo.t.until('the file is open', async () => (await demo.by('corpus-name').textContent()) === name, 90);
 }
 
@@ -41,9 +41,10 @@ async function commandLine(t, args) {
 for (const name of names) {
   flow(`the workbench learns what the command line learns from ${name}`, { seconds: 1200 }, async (t) => {
     const demo = await openTrain(t);
+    const carried = await demo.carried([[name, await readFile(path.join(process.env.CORPORA, name), 'utf8')]]);
     const start = Date.now();
     const events = await trace(demo.page, async () => {
-      await opened(demo, name);
+      await opened(demo, name, carried);
       await passes(demo);
       await demo.press('train');
       await demo.by('progress').waitFor();

@@ -4,7 +4,7 @@
 import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
 import os from 'node:os';
 import path from 'node:path';
-import { flow } from '../flow.mjs';
+import { OUT, flow } from '../flow.mjs';
 import { Demo, csv, openTrain, rows } from '../page.mjs';
 
 /** The six, many times over and never in the same words: it takes a while to learn them. */
@@ -38,45 +38,47 @@ async function reached(demo) {
 
 flow('a run goes on after a reload and after a closed tab, to the same bytes', { seconds: 240 }, async (t) => {
   t.expect(/ERR_ABORTED/);
-  const corpus = many(30);
+  const corpus = many(200);
   const demo = await openTrain(t);
-  await keptRun(demo, 'mine.csv', corpus, 8);
+  await keptRun(demo, 'mine.csv', corpus, 25);
   await t.until('it is in its second pass', async () => (await reached(demo)) > 2e6, 60);
   const before = await reached(demo);
   await demo.page.reload();
   await demo.by('run-came-back').waitFor();
   await t.check(async () => (await reached(demo)) > before - 1e6, 'it did not begin anew');
-  await t.accessible('a run that came back');
-  await t.shot('bench-came-back');
-  await t.until('it is kept again', async () => (await reached(demo)) > 3e6, 60);
   await demo.page.close();
   const second = new Demo(t, await t.open(`${t.address}#train`));
   await second.by('run-came-back').waitFor();
+  await second.page.screenshot({ path: path.join(OUT, 'bench-came-back.png') });
   await second.part('run');
   await t.until('it has trained', async () =>
-    (await second.by('trained').count()) > 0 && /trained here on mine\.csv/.test(await second.by('trained').textContent()), 90);
+    (await second.by('trained').count()) > 0 && /trained here on mine\.csv/.test(await second.by('trained').textContent()), 150);
   const model = await second.model();
   const folder = await mkdtemp(path.join(os.tmpdir(), 'groundling-'));
   try {
     const [file, out] = ['mine.csv', 'a.model'].map((name) => path.join(folder, name));
     await writeFile(file, corpus);
-    const { status, stderr } = await t.groundling('train', '--corpus', file, '--epochs', '8', '--out', out);
+    const { status, stderr } = await t.groundling('train', '--corpus', file, '--epochs', '25', '--out', out);
     await t.equal(status, 0, stderr);
-    await t.check((await readFile(out, 'utf8')) === model, 'the model is that of a run that nothing stopped');
+    await t.check(async () => (await readFile(out, 'utf8')) === model, 'the model is that of a run that nothing stopped');
   } finally {
     await rm(folder, { recursive: true });
   }
 });
 
 flow('a store that fills up while it learns is told, and the run goes on', { seconds: 240 }, async (t) => {
+  // The browser's own answer where there is no room; to have it really run out of room would take the machine's.
+  await t.context.addInitScript(() => {
+    const own = IDBTransaction.prototype.commit;
+    IDBTransaction.prototype.commit = function commit() {
+      if (globalThis.isFull && this.mode === 'readwrite') this.abort();
+      else own.call(this);
+    };
+  });
   const demo = await openTrain(t);
-  const session = await t.context.newCDPSession(demo.page);
-  const { origin } = new URL(t.address);
-  await keptRun(demo, 'mine.csv', many(100), 50);
-  const { usage } = await session.send('Storage.getUsageAndQuota', { origin });
-  await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: Math.max(1, Math.floor(usage / 2)) });
-  // The browser asks anew how much room there is after half a minute.
-  await demo.by('run-not-kept').waitFor({ timeout: 90_000 });
+  await keptRun(demo, 'mine.csv', many(400), 200);
+  await demo.page.evaluate(() => { globalThis.isFull = true; });
+  await demo.by('run-not-kept').waitFor();
   await t.equal(() => demo.by('run-not-kept').getAttribute('data-fault'), 'full', 'the fault');
   await t.check(async () => /goes on[^]*kept as it was at pass/.test(await demo.by('run-not-kept').textContent()),
     async () => demo.by('run-not-kept').textContent());
@@ -86,7 +88,7 @@ flow('a store that fills up while it learns is told, and the run goes on', { sec
   await t.check(async () => (await reached(demo)) > at, 'it goes on');
   await demo.part('kept');
   await t.equal(() => demo.by('shelf-item').count(), 2, 'what was kept is there');
-  await session.send('Storage.overrideQuotaForOrigin', { origin });
+  await demo.page.evaluate(() => { globalThis.isFull = false; });
   await demo.part('run');
   await t.until('it is kept again', async () => (await demo.by('run-not-kept').count()) === 0, 40);
   await demo.press('stop');

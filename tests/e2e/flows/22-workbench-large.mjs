@@ -29,9 +29,10 @@ async function isAlive(demo) {
 
 flow('a hundred thousand rows are opened, looked through and searched', { seconds: 240 }, async (t) => {
   const demo = await openTrain(t);
+  const carried = await demo.carried([['large.jsonl', SHORT, SHORT, 99_999]]);
   const start = Date.now();
   const events = await trace(demo.page, async () => {
-    await demo.dropAll([['large.jsonl', SHORT, SHORT, 99_999]]);
+    await demo.let(carried);
     await t.until('it is open', async () => (await demo.by('corpus-name').textContent()) === 'large.jsonl', 90);
   });
   t.note(`open after ${((Date.now() - start) / 1000).toFixed(1)} s by the clock`);
@@ -56,7 +57,7 @@ flow('every kind of damage is told within seconds', { seconds: 240 }, async (t) 
   const files = [
     ['cut off', Buffer.from(good.slice(0, good.length - 60)), /line 4/],
     ['UTF-16 that is cut in the middle of a letter', Buffer.from(`\ufeff${good}`, 'utf16le').subarray(0, 5_001), /./],
-    ['a letter of Latin-1', Buffer.concat([Buffer.from(csv(rows[1])), Buffer.from(rows[2].replace(/go/, 'g\u00f6'), 'latin1')]), /UTF-8|line/i],
+    ['bytes that are no letters', Buffer.concat([Buffer.from(rows[0]), Buffer.from([0x0a, 0xff, 0xfe, 0x00, 0x80])]), /text/],
     ['quotes that are broken', Buffer.from(good.replace('{""agent""', '{"agent"')), /line 2/],
     ['JSON that is broken', Buffer.from(good.replace('""rooms"":[', '""rooms"":[[')), /line 2[^]*Input\.pre_1/],
     ['a small file that unpacks to 300 MB', zlib.gzipSync(Buffer.alloc(300_000_000, 'x')), /64|larger|unpack/i],

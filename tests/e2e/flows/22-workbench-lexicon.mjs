@@ -32,6 +32,10 @@ flow('the lexicon is looked through, an entry is left out, and two models are co
   await t.check(async () => (await demo.by('errors').locator('table').count()) > 0, 'where it errs');
   await t.accessible('errors');
   await t.shot('bench-errors');
+  await demo.by('search-entries').fill('');
+  await demo.by('learned-only').uncheck();
+  await demo.page.getByRole('button', { name: 'Rows', exact: true }).click();
+  await demo.page.getByRole('button', { name: 'Rows', exact: true }).click();
   const sentence = demo.by('sentence').first();
   const words = await sentence.textContent();
   await sentence.press('Enter');

@@ -21,7 +21,8 @@ for (const [name, viewport, colorScheme] of LOOKS) {
       await t.fits(part);
       await t.accessible(part);
     };
-    await demo.by('split-percent').fill('33');
+    await demo.by('split-percent').fill('50');
+    await demo.by('split-percent').blur();
     await demo.by('split-by').selectOption({ label: 'single rows' });
     await demo.press('split-share');
     await t.check(async () => /held out/.test(await demo.by('corpus-count').textContent()), 'a share is held out');
@@ -44,11 +45,13 @@ for (const [name, viewport, colorScheme] of LOOKS) {
 flow('all of the workbench is reached by keyboard', async (t) => {
   const demo = await openTrain(t);
   await demo.by('tab-data').focus();
-  for (const part of ['run', 'experiments', 'lexicon', 'kept', 'data']) {
+  for (const part of ['run', 'experiments', 'lexicon', 'study', 'kept', 'data']) {
     await demo.page.keyboard.press('ArrowRight');
     await t.check(async () => (await demo.by(`tab-${part}`).getAttribute('aria-selected')) === 'true', part);
   }
   await demo.page.keyboard.press('ArrowRight');
+  await demo.by('train').waitFor();
+  await demo.redrawn();
   await demo.reach('train');
   await demo.page.keyboard.press('Enter');
   await t.until('it has trained', async () =>
@@ -56,14 +59,18 @@ flow('all of the workbench is reached by keyboard', async (t) => {
   await demo.reach('save-model');
   await demo.by('tab-run').focus();
   await demo.page.keyboard.press('ArrowRight');
+  await demo.by('six-sentences').waitFor();
+  await demo.redrawn();
   await demo.reach('six-sentences');
   await demo.page.keyboard.press('Enter');
   await demo.by('six-found').waitFor({ timeout: 60_000 });
   await demo.by('tab-experiments').focus();
-  for (const part of ['lexicon', 'kept']) {
+  for (const part of ['lexicon', 'study', 'kept']) {
     await demo.page.keyboard.press('ArrowRight');
     await t.check(async () => (await demo.by(`tab-${part}`).getAttribute('aria-selected')) === 'true', part);
   }
+  await demo.by('kept-name').waitFor();
+  await demo.redrawn();
   await demo.reach('kept-name');
   await demo.page.keyboard.type('by keyboard');
   await demo.reach('keep-model');

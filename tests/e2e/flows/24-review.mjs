@@ -2,7 +2,7 @@
 // that are simulated in the real page: people who say what the crowd said, and careless ones who say what was rejected.
 
 import { readFile } from 'node:fs/promises';
-import { answersOf, crowd, host, makeStudy, receiver, takePart } from '../collect.mjs';
+import { answersOf, crowd, host, makeStudy, Participant, receiver, takePart } from '../collect.mjs';
 import { flow } from '../flow.mjs';
 import { Demo, openTrain } from '../page.mjs';
 
@@ -28,6 +28,10 @@ flow('a study is drawn in the page, saved, and opened by who takes part', async 
   const file = await demo.saved('study-save');
   const { name, items } = JSON.parse(file);
   await t.equal([name, items.length, items[0].shows.length], ['Bags', 1, 4], 'the file');
+  const preview = await demo.by('study-preview').getAttribute('href');
+  const seen = new Participant(t, await t.open(`${t.address}${preview}`));
+  await seen.by('mark').waitFor();
+  await seen.begin();
   await host(t, file);
   const person = await takePart(t);
   await person.begin();
@@ -62,6 +66,7 @@ flow(`${PEOPLE} simulated participants, and what a reviewer makes of them`, asyn
     const careless = answers.filter(({ simulated }) => simulated).length;
     await t.check(answers.every(({ simulated, care }) => simulated !== undefined && care.active_ms >= 4000), 'they are marked');
     const demo = new Demo(t, await t.open(`${t.address}#train`));
+    t.page = demo.page;
     await demo.by('row').first().waitFor();
     await demo.part('study');
     await demo.by('study-file').setInputFiles({ name: 'study.json', mimeType: 'application/json', buffer: Buffer.from(made) });
@@ -74,6 +79,8 @@ flow(`${PEOPLE} simulated participants, and what a reviewer makes of them`, asyn
     await told(t, demo, new RegExp(`has read ${3 * PEOPLE} answers`));
     await t.accessible('answers under review');
     await t.shot('collect-review');
+    await demo.by('look').first().click();
+    await t.equal(() => demo.by('answer-pairs').locator('.picture').count(), 6, 'its pairs');
     await demo.by('why').fill('=not what was asked');
     await demo.by('reject').first().click();
     await demo.press('decide');

@@ -55,6 +55,7 @@ flow('what jsPsych collects is mapped, and learned from', async (t) => {
     const byColumn = JSON.stringify(await page.evaluate(() => window.byColumn));
     t.note(`columns: ${csv.split('\n')[0].slice(0, 300)}`);
     const demo = await openTrain(t);
+    t.page = demo.page;
     await demo.part('study');
     const bring = (name, text) => demo.by('answers-file').setInputFiles({ name, mimeType: 'text/plain', buffer: Buffer.from(text) });
     await bring('columns.json', byColumn);

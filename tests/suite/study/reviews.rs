@@ -3,7 +3,7 @@
 
 use super::files::{showing, study};
 use groundling::corpus::{Decision, Options, guarded, read, unguarded};
-use groundling::study::answer::{FORMAT, lines};
+use groundling::study::answer::{FORMAT, code, lines};
 use groundling::study::coverage::{coverage, top_up};
 use groundling::study::export::{Style, write};
 use groundling::study::file::{Example, Pay};
@@ -186,7 +186,9 @@ fn the_pay_sheet_says_what_is_owed() {
     let due = &dues(&study, &review)[0];
     assert_eq!((due.answers, due.cents, due.active_ms), ([2, 1, 1], Some(125), 18_000));
     let text = sheet(&study, &review);
-    assert_eq!(text.lines().nth(1), Some("\"'=b\",2,1,1,0.3,1.25,\"€\""));
+    let code = code(&study.fingerprint(), &review.answers()[..2]);
+    let line = format!("\"'=b\",2,1,1,0.3,1.25,\"€\",{code}");
+    assert_eq!(text.lines().nth(1), Some(line.as_str()));
     assert_eq!(text.lines().count(), 2, "nobody pays a simulation");
 }
 

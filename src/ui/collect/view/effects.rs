@@ -4,6 +4,7 @@ use super::journal::Journal;
 use crate::study::Study;
 use crate::study::ends::Source;
 use crate::study::file::MAX_BYTES;
+use crate::study::link::{INLINE, LONGEST};
 use crate::ui::collect::action::{Action, Kept, Trouble};
 use crate::ui::collect::effect::Effect;
 use crate::ui::page::keep::fault::Fault;
@@ -20,10 +21,6 @@ use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{HtmlFormElement, HtmlInputElement, RequestInit, Response, Window};
 use yew::Callback;
 
-/// What stands before a study in a link.
-const INLINE: &str = "#study=";
-/// The longest study that a link may hold, in letters.
-const LONGEST_LINK: usize = 60_000;
 /// Milliseconds without a key after which what was typed is kept.
 const REST: u32 = 700;
 /// Milliseconds that an endpoint may take to answer.
@@ -141,7 +138,7 @@ async fn fetched(file: &str) -> Result<(Box<Study>, Source), Trouble> {
 async fn linked() -> Result<(Box<Study>, Source), Trouble> {
     let hash = web_sys::window().and_then(|w| w.location().hash().ok()).unwrap_or_default();
     let packed = hash.strip_prefix(INLINE).ok_or(Trouble::Unnamed)?;
-    let text = unpack(packed, LONGEST_LINK).await.map_err(Trouble::Bad)?;
+    let text = unpack(packed, LONGEST).await.map_err(Trouble::Bad)?;
     read(&text, Source::Linked)
 }
 

@@ -7,6 +7,7 @@ use crate::ui::collect::change::changed;
 use crate::ui::collect::state::State;
 use crate::ui::collect::words::Text;
 use crate::ui::page::view::picture::Picture;
+use js_sys::Reflect;
 use web_sys::{HtmlTextAreaElement, InputEvent, KeyboardEvent, SubmitEvent};
 use yew::{Callback, Html, TargetCast, html};
 
@@ -23,7 +24,9 @@ pub(super) fn turn(state: &State, at: usize, act: &Callback<Action>) -> Html {
     };
     let shows: Vec<&Showing> = turn.shows.iter().filter_map(|&at| item.shows.get(at)).collect();
     let typed = act.reform(|event: InputEvent| {
-        let pasted = match event.input_type().as_str() {
+        // Not every program that types for a person says how.
+        let kind = Reflect::get(&event, &"inputType".into()).ok().and_then(|kind| kind.as_string());
+        let pasted = match kind.as_deref().unwrap_or_default() {
             "insertFromPaste" | "insertFromDrop" => {
                 let data = event.data().map_or(0, |data| data.chars().count());
                 // Some browsers do not say what was pasted.
@@ -107,7 +110,8 @@ fn one(state: &State, at: usize, showing: &Showing, act: &Callback<Action>) -> H
                 onclick={act.reform(move |_| Action::Point(at))}>
                 { if is_pointed { text.hide_change } else { text.show_change } }
             </button>
-            <p class="changed" aria-live="polite">
+            // For those who do not see the picture alone: words here would become everybody's words.
+            <p class="changed unseen" aria-live="polite">
                 if is_pointed { { text.grammar.change(pre, post) } }
             </p>
         </li>

@@ -6,7 +6,7 @@ use crate::study::journal::Note;
 use crate::ui::collect::action::Kept;
 use crate::ui::page::keep::fault::Fault;
 use crate::ui::page::view::host;
-use crate::ui::page::view::store::{fault_of, finish};
+use crate::ui::page::view::store::{fault_of, finish, of};
 use idb::{
     Database, DatabaseEvent, Factory, KeyRange, ObjectStore, ObjectStoreParams, Query, Transaction,
 };
@@ -56,7 +56,7 @@ impl Journal {
             fault => fault,
         })?;
         let database = JsValue::from(opened);
-        let mut held = Database::try_from(database.clone()).map_err(|e| fault_of(&e))?;
+        let mut held = Database::try_from(database.clone()).map_err(of)?;
         held.on_version_change(move |event| {
             if let Some(target) = event.target() {
                 let _ = Database::try_from(target).map(|held| held.close());
@@ -70,14 +70,13 @@ impl Journal {
     pub(super) async fn pseudonym(&self, study: &str) -> Result<String, Fault> {
         let (transaction, store) = self.begin()?;
         let key = JsValue::from(format!("me/{study}"));
-        let found =
-            store.get(key.clone()).map_err(|e| fault_of(&e))?.await.map_err(|e| fault_of(&e))?;
+        let found = store.get(key.clone()).map_err(of)?.await.map_err(of)?;
         if let Some(known) = found.and_then(|found| found.as_string()) {
             return Ok(known);
         }
         let made = chance();
-        let put = store.put(&made.clone().into(), Some(&key)).map_err(|e| fault_of(&e))?;
-        put.await.map_err(|e| fault_of(&e))?;
+        let put = store.put(&made.clone().into(), Some(&key)).map_err(of)?;
+        put.await.map_err(of)?;
         finish(transaction).await?;
         Ok(made)
     }
@@ -85,10 +84,10 @@ impl Journal {
     /// What is kept of a sitting.
     pub(super) async fn read(&self, sitting: &str) -> Result<Kept, Fault> {
         let (_, store) = self.begin()?;
-        let over = store.get(JsValue::from(format!("over/{sitting}"))).map_err(|e| fault_of(&e))?;
-        let over = over.await.map_err(|e| fault_of(&e))?.and_then(|over| over.as_string());
-        let all = store.get_all(Some(notes_of(sitting)?), None).map_err(|e| fault_of(&e))?;
-        let all = all.await.map_err(|e| fault_of(&e))?;
+        let over = store.get(JsValue::from(format!("over/{sitting}"))).map_err(of)?;
+        let over = over.await.map_err(of)?.and_then(|over| over.as_string());
+        let all = store.get_all(Some(notes_of(sitting)?), None).map_err(of)?;
+        let all = all.await.map_err(of)?;
         // What stands behind a note that cannot be read belongs to nothing.
         let note = |text: &JsValue| serde_json::from_str::<Note>(&text.as_string()?).ok();
         Ok(Kept { notes: all.iter().map_while(note).collect(), over })
@@ -100,7 +99,7 @@ impl Journal {
         // Texts and numbers: JSON can hold them all.
         let text = serde_json::to_string(note).unwrap_or_default();
         let key = JsValue::from(format!("note/{sitting}/{place:08}"));
-        let added = store.add(&text.into(), Some(&key)).map_err(|e| fault_of(&e))?.await;
+        let added = store.add(&text.into(), Some(&key)).map_err(of)?.await;
         added.map_err(|error| match fault_of(&error) {
             Fault::Other(words) if words.contains("Constraint") || words.contains("exists") => {
                 Fault::Elsewhere
@@ -113,12 +112,12 @@ impl Journal {
     /// Erases what is kept of a sitting; where it is over, that stays, with its code.
     pub(super) async fn erase(&self, sitting: &str, over: Option<&str>) -> Result<(), Fault> {
         let (transaction, store) = self.begin()?;
-        let notes = store.delete(notes_of(sitting)?).map_err(|e| fault_of(&e))?;
-        notes.await.map_err(|e| fault_of(&e))?;
+        let notes = store.delete(notes_of(sitting)?).map_err(of)?;
+        notes.await.map_err(of)?;
         let key = JsValue::from(format!("over/{sitting}"));
         if let Some(code) = over {
-            let put = store.put(&code.into(), Some(&key)).map_err(|e| fault_of(&e))?;
-            put.await.map_err(|e| fault_of(&e))?;
+            let put = store.put(&code.into(), Some(&key)).map_err(of)?;
+            put.await.map_err(of)?;
         }
         finish(transaction).await
     }
@@ -132,8 +131,8 @@ impl Journal {
             database.transaction(&Array::of1(&STORE.into()), "readwrite", &options)
         });
         let raw = raw.map_err(|error| Fault::Other(host::words(&error)))?;
-        let transaction = Transaction::try_from(raw).map_err(|e| fault_of(&e))?;
-        let store = transaction.object_store(STORE).map_err(|e| fault_of(&e))?;
+        let transaction = Transaction::try_from(raw).map_err(of)?;
+        let store = transaction.object_store(STORE).map_err(of)?;
         Ok((transaction, store))
     }
 }
@@ -141,7 +140,7 @@ impl Journal {
 /// The keys of a sitting's notes.
 fn notes_of(sitting: &str) -> Result<Query, Fault> {
     let [from, to] = ["", "~"].map(|end| JsValue::from(format!("note/{sitting}/{end}")));
-    KeyRange::bound(&from, &to, None, None).map(Query::from).map_err(|e| fault_of(&e))
+    KeyRange::bound(&from, &to, None, None).map(Query::from).map_err(of)
 }
 
 /// A name by chance.

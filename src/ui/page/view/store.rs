@@ -221,7 +221,8 @@ pub(crate) async fn finish(transaction: Transaction) -> Result<(), Fault> {
     }
 }
 
-fn of(error: Error) -> Fault {
+/// What an error of the browser means here.
+pub(crate) fn of(error: Error) -> Fault {
     fault_of(&error)
 }
 
@@ -230,6 +231,7 @@ pub(crate) fn fault_of(error: &Error) -> Fault {
     let name = match error {
         Error::DomException(exception) => exception.name(),
         Error::AddFailed(value)
+        | Error::UpdateFailed(value)
         | Error::IndexedDbOpenFailed(value)
         | Error::TransactionOpenFailed(value) => {
             value.dyn_ref::<DomException>().map(DomException::name).unwrap_or_default()

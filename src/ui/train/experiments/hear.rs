@@ -1,8 +1,8 @@
 //! What the engines say of experiments.
 
 use super::pool::{Outcome, Said};
+use super::share::{self, Ground, tell};
 use super::state::{Found, State};
-use super::update::{self, Ground};
 use super::words::Text;
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
@@ -20,7 +20,7 @@ pub fn answered(
     let text = Text::of(desk.language);
     match (event, request) {
         (Event::Plan { text }, Request::PlanRuns { .. }) => {
-            update::run(state, desk, text, ground);
+            share::run(state, desk, text, ground);
         }
         (Event::Joined(joined), Request::JoinRuns { plan, .. }) => {
             desk.say((text.ended)(joined.runs.len()));
@@ -42,7 +42,7 @@ pub fn told(state: &mut State, desk: &mut Desk, seat: u32, said: Said) {
     if outcome == Outcome::Works {
         return;
     }
-    update::leave(state, desk);
+    share::leave(state, desk);
     let text = Text::of(desk.language);
     match outcome {
         Outcome::Works => {}
@@ -53,10 +53,4 @@ pub fn told(state: &mut State, desk: &mut Desk, seat: u32, said: Said) {
         }
         Outcome::Failed(message) => tell(state, desk, message),
     }
-}
-
-/// Says what came of an experiment, when it is no result.
-pub(super) fn tell(state: &mut State, desk: &mut Desk, words: String) {
-    desk.say(words.clone());
-    state.notice = Some(words);
 }

@@ -4,14 +4,15 @@ use super::action::{Action, Saved};
 use super::hear;
 use super::matrix::Kind;
 use super::picture::picture;
-use super::pool::{Pool, Work};
+use super::pool::Work;
+use super::share::{Ground, begin, leave, run, tell};
 use super::state::State;
 use super::words::Text;
 use crate::ui::page::files::Offered;
 use crate::ui::page::world::{Choice, WORLDS};
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
-use crate::worker::protocol::{By, Lexicon, MappedFile, Request, SeedLexicon, Settings, Split};
+use crate::worker::protocol::{By, Lexicon, Request, SeedLexicon, Settings, Split};
 use std::rc::Rc;
 
 /// The share that is held out for a table of the paper, where nothing is: of a hundred.
@@ -19,20 +20,6 @@ const SHARE: u32 = 20;
 
 /// What the six sentences are followed by: a command that none of them says.
 const NEVER_HEARD: &str = "go to the blue room";
-
-/// What experiments are on.
-pub struct Ground {
-    /// The files of the corpus that is open.
-    pub files: Rc<[MappedFile]>,
-    /// Whether its rejected rows are used.
-    pub with_rejected: bool,
-    /// Rows of it that are held out.
-    pub held_out: u32,
-    /// The settings that runs have in common.
-    pub settings: Settings,
-    /// The page's own six sentences.
-    pub six: MappedFile,
-}
 
 /// Does what a person wants.
 pub fn update(state: &mut State, desk: &mut Desk, action: Action, ground: &Ground) {
@@ -55,7 +42,7 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action, ground: &Groun
         Action::Stop => {
             leave(state, desk);
             let words = Text::of(desk.language).stopped.to_owned();
-            hear::tell(state, desk, words);
+            tell(state, desk, words);
         }
         Action::Repeat(files) => {
             state.notice = None;
@@ -79,16 +66,6 @@ fn plan(state: &mut State, desk: &mut Desk, kind: Kind, ground: &Ground) {
     desk.ask(Request::PlanRuns { matrix, settings: Box::new(ground.settings.clone()) });
 }
 
-/// Runs all runs of a plan.
-pub fn run(state: &mut State, desk: &mut Desk, plan: String, ground: &Ground) {
-    let Some(runs) = n_runs(&plan) else {
-        let words = Text::of(desk.language).no_plan.to_owned();
-        return hear::tell(state, desk, words);
-    };
-    let on = (ground.files.clone(), ground.with_rejected);
-    begin(state, desk, Work::Plan(plan), runs, on);
-}
-
 /// The paper's Section VII: learns from six sentences, then is told what none of them says.
 fn six(state: &mut State, desk: &mut Desk, ground: &Ground) {
     state.notice = None;
@@ -98,29 +75,6 @@ fn six(state: &mut State, desk: &mut Desk, ground: &Ground) {
     let command = NEVER_HEARD.to_owned();
     let request = Box::new(Request::Demonstrate { command, state: world, settings });
     begin(state, desk, Work::One(request), 1, (Rc::from([ground.six.clone()]), false));
-}
-
-fn begin(state: &mut State, desk: &mut Desk, work: Work, runs: u32, on: (Rc<[MappedFile]>, bool)) {
-    leave(state, desk);
-    desk.say(Text::of(desk.language).begun);
-    let mut errands = Vec::new();
-    state.pool = Some(Pool::new(work, runs, desk.cores, on, &mut errands));
-    for (seat, errand) in errands {
-        desk.want(Effect::Pool(seat, errand));
-    }
-}
-
-/// Ends the engines at work.
-pub(super) fn leave(state: &mut State, desk: &mut Desk) {
-    if state.pool.take().is_some() {
-        desk.want(Effect::EndPool);
-    }
-}
-
-/// How many runs a plan has; nothing when it is none.
-fn n_runs(plan: &str) -> Option<u32> {
-    let plan: serde_json::Value = serde_json::from_str(plan).ok()?;
-    u32::try_from(plan.get("runs")?.as_array()?.len()).ok().filter(|runs| *runs > 0)
 }
 
 fn save(state: &State, desk: &mut Desk, at: usize, what: Saved) {

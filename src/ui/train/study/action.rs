@@ -10,8 +10,12 @@ pub enum Action {
     Draft(Change),
     /// Wants it drawn.
     Make,
-    /// Wants it saved, or packed into a link.
+    /// Wants something saved.
     Save(Saved),
+    /// The study was packed into a link, or is too much for one.
+    Linked(Option<String>),
+    /// Chose one of the usual ways to end.
+    Way(Way),
     /// Opened a study's file.
     Open(Vec<Offered>),
     /// Opened files of answers.
@@ -34,6 +38,8 @@ pub enum Action {
     Approve(usize),
     /// Rejects an answer.
     Reject(usize),
+    /// Looks at the pairs of an answer, or no more.
+    Look(usize),
     /// Takes a decision back.
     Reopen(usize),
     /// The reason for rejecting one by one.
@@ -95,4 +101,40 @@ pub enum Value {
     Task,
     Pre(usize),
     Post(usize),
+}
+
+/// A usual way to end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// A code, and a file to send.
+    File,
+    /// An endpoint of one's own, and a code.
+    Endpoint,
+    /// An endpoint of one's own, and the link back to Prolific.
+    Prolific,
+    /// The form of a frame's platform.
+    Frame,
+}
+
+impl Way {
+    /// All of them.
+    pub const ALL: [Way; 4] = [Way::File, Way::Endpoint, Way::Prolific, Way::Frame];
+
+    /// Its ends as JSON, and the hosts that they need.
+    pub const fn ends(self) -> [&'static str; 2] {
+        match self {
+            Way::File => [r#"["code", "file"]"#, ""],
+            Way::Endpoint => [
+                r#"[{"endpoint": {"url": "https://example.org/answers", "key": ""}}, "code"]"#,
+                "https://example.org",
+            ],
+            Way::Prolific => [
+                r#"[{"endpoint": {"url": "https://example.org/answers", "key": ""}}, {"return": {"url": "https://app.prolific.com/submissions/complete?cc={code}"}}]"#,
+                "https://example.org",
+            ],
+            Way::Frame => {
+                [r#"[{"form": {}}]"#, "https://www.mturk.com https://workersandbox.mturk.com"]
+            }
+        }
+    }
 }

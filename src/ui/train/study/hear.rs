@@ -1,6 +1,7 @@
 //! What the engine says of studies.
 
 use super::state::State;
+use super::update::pack;
 use super::words::Text;
 use crate::ui::train::desk::Desk;
 use crate::worker::protocol::{Event, StudySaid};
@@ -22,7 +23,10 @@ pub fn answered(state: &mut State, desk: &mut Desk, event: Event) {
         Event::Study(StudySaid::Made { study, open }) => {
             state.open = open;
             match state.take(&study) {
-                Ok(()) => (text.made)(state.study.as_ref().map_or(0, |study| study.items.len())),
+                Ok(()) => {
+                    pack(state, desk);
+                    (text.made)(state.study.as_ref().map_or(0, |study| study.items.len()))
+                }
                 Err(error) => error.to_string(),
             }
         }

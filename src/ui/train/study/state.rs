@@ -13,6 +13,8 @@ pub struct State {
     pub making: Option<(u32, u32)>,
     /// The study that was drawn or opened.
     pub study: Option<Box<Study>>,
+    /// What stands behind the address of the page that asks, when the study is packed into a link.
+    pub link: Option<String>,
     /// What its pairs leave open.
     pub open: Vec<String>,
     /// The answers' files so far, each a name and a text.
@@ -29,6 +31,8 @@ pub struct State {
     pub judging: Option<(u32, u32)>,
     /// The first answer on view.
     pub from: usize,
+    /// The answer of which one sees the pairs.
+    pub looked_at: Option<usize>,
     /// The flag that answers on view have.
     pub only: Option<Flag>,
     /// Why answers are rejected one by one.
@@ -71,6 +75,7 @@ impl Default for State {
             draft: Draft::default(),
             making: None,
             study: None,
+            link: None,
             open: Vec::new(),
             files: Vec::new(),
             review: Review::default(),
@@ -79,6 +84,7 @@ impl Default for State {
             survey: None,
             judging: None,
             from: 0,
+            looked_at: None,
             only: None,
             why: String::new(),
             rule: BTreeSet::from([
@@ -153,7 +159,7 @@ impl State {
     /// Why the text is none.
     pub fn take(&mut self, text: &str) -> Result<(), StudyError> {
         self.study = Some(Box::new(Study::read(text)?));
-        self.from = 0;
+        (self.from, self.link, self.looked_at) = (0, None, None);
         Ok(())
     }
 }

@@ -31,10 +31,15 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action) -> Option<Offe
             Ok((name, text)) => desk.want(Effect::Save { name, text }),
             Err(why) => state.notice = Some(why),
         },
+        Action::Linked(link) => state.link = link,
+        Action::Way(way) => {
+            [state.draft.ends, state.draft.hosts] = way.ends().map(str::to_owned);
+        }
         Action::Open(files) => {
             if let Some((name, found)) = texts(files).0.into_iter().next() {
                 state.notice = state.take(&found).err().map(|error| format!("{name}: {error}"));
                 state.open.clear();
+                pack(state, desk);
                 let files = state.files.iter().map(|(name, text)| (name.as_str(), text.as_str()));
                 let merged = merge(files);
                 take(state, merged);
@@ -68,12 +73,15 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action) -> Option<Offe
                 judge(state, desk, model);
             }
         }
-        Action::From(from) => state.from = from,
-        Action::Only(only) => (state.only, state.from) = (only, 0),
+        Action::From(from) => (state.from, state.looked_at) = (from, None),
+        Action::Only(only) => (state.only, state.from, state.looked_at) = (only, 0, None),
         Action::Approve(row) => state.review.decide(row, Decision::Approved),
         Action::Reject(row) => {
             let why = state.why.trim().to_owned();
             state.review.decide(row, Decision::Rejected(why.into()));
+        }
+        Action::Look(row) => {
+            state.looked_at = Some(row).filter(|_| state.looked_at != Some(row));
         }
         Action::Reopen(row) => state.review.decide(row, Decision::Open),
         Action::Why(why) => state.why = why,
@@ -102,6 +110,13 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action) -> Option<Offe
         },
     }
     None
+}
+
+/// Has the study packed into a link.
+pub(super) fn pack(state: &State, desk: &mut Desk) {
+    if let Some(study) = &state.study {
+        desk.want(Effect::Pack(study.write()));
+    }
 }
 
 fn judge(state: &mut State, desk: &mut Desk, model: String) {

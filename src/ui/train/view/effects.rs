@@ -1,14 +1,16 @@
 //! Carries the workbench's effects out: its engine, downloads, and what it tells the page.
 
+use crate::study::link::{INLINE, LONGEST};
 use crate::ui::page::engine::Errand;
 use crate::ui::page::view::host;
+use crate::ui::page::view::packed::pack;
 use crate::ui::page::view::save::{save, save_bytes};
 use crate::ui::page::view::worker::Engine;
 use crate::ui::train::action::Action;
 use crate::ui::train::effect::Effect;
 use crate::ui::train::experiments::pool::Said;
 use crate::ui::train::kept::view::Shelf;
-use crate::ui::train::{experiments, kept, run};
+use crate::ui::train::{experiments, kept, run, study};
 use crate::worker::protocol::{Program, decode};
 use gloo_timers::callback::Timeout;
 use js_sys::Function;
@@ -82,6 +84,13 @@ impl Effects {
             }
             // The element may be in what is about to be drawn.
             Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
+            Effect::Pack(text) => {
+                let act = self.act.clone();
+                spawn_local(async move {
+                    let link = packed(&text).await;
+                    act.emit(Action::Study(study::Action::Linked(link)));
+                });
+            }
             Effect::Save { name, text } => save(&name, &text)?,
             Effect::GiveBack(file) => save_bytes(&file.name, &file.bytes)?,
         }
@@ -114,6 +123,12 @@ impl Effects {
         }
         Ok(())
     }
+}
+
+/// What stands behind an address that holds a study; nothing when it would be too long.
+async fn packed(study: &str) -> Option<String> {
+    let packed = pack(&web_sys::window()?, study).await.ok()?;
+    (packed.len() <= LONGEST).then(|| format!("{INLINE}{packed}"))
 }
 
 /// What an engine of the pool said.

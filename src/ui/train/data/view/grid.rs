@@ -86,9 +86,11 @@ pub(super) fn Grid(props: &Props) -> Html {
         })
     };
     let drawn = table.drawn();
+    let is_said_who = sheet.facets.workers.values.iter().any(|(who, _)| !who.is_empty());
+    let nobody = (!is_said_who).then_some("nobody");
     let below = table.total().saturating_sub(drawn.end) * height;
     html! {
-        <div ref={node} class={classes!("grid", sheet.is_small().then_some("small"))} role="grid" tabindex="0"
+        <div ref={node} class={classes!("grid", sheet.is_small().then_some("small"), nobody)} role="grid" tabindex="0"
             aria-label={text.table} aria-rowcount={(table.total() + 1).to_string()} data-testid="rows"
             aria-activedescendant={here} onscroll={scrolled} onkeydown={pressed}>
             { head(sheet, text, &act) }
@@ -131,7 +133,7 @@ fn head(sheet: &Sheet, text: &'static Text, act: &Callback<Look>) -> Html {
             { column("n", "#", Sort::Row) }
             { column("said", text.command, Sort::Command) }
             { column("wide", text.filter_task, Sort::Task) }
-            { column("wide", text.filter_worker, Sort::Worker) }
+            { column("wide who", text.filter_worker, Sort::Worker) }
             { column("wide n", text.pairs, Sort::Pairs) }
             { column("wide", text.filter_status, Sort::Status) }
             { column("", text.filter_outcome, Sort::Outcome) }
@@ -182,7 +184,7 @@ fn row(props: &Props, place: u32, act: &Callback<Look>) -> Html {
                 }
             </span>
             <span role="gridcell" class="wide clip">{ task.clone().unwrap_or_default() }</span>
-            <span role="gridcell" class="wide clip">{ worker.clone().unwrap_or_default() }</span>
+            <span role="gridcell" class="wide clip who">{ worker.clone().unwrap_or_default() }</span>
             <span role="gridcell" class="wide n">{ pairs }</span>
             <span role="gridcell" class="wide clip">
                 { (text.status)(Status::of(decision)) }

@@ -64,7 +64,7 @@ fn page(state: &State, window: &EntryWindow, text: &Text, act: &Callback<Action>
                 }
             </p>
             <div class="scroll" tabindex="0" role="region" aria-label={shown}>
-                <table class="figures" data-testid="entries">
+                <table class="figures entries-table" data-testid="entries">
                     <thead><tr>
                         { head("#", EntrySort::Place) }
                         { head(text.words, EntrySort::Words) }
@@ -105,7 +105,7 @@ fn entry(
             <td><input type="checkbox" aria-label={(text.pick)(&entry.words)} checked={state.picked.contains(&place)} onchange={pick} /></td>
             <th scope="row">{ &entry.words }</th>
             <td><code>{ &entry.syntax }</code></td>
-            <td><code>{ &entry.meaning }</code></td>
+            <td class="meaning"><code>{ &entry.meaning }</code></td>
             <td>{ format!("{weight:.2}") }</td>
             <td>{ uses.count }</td>
             <td class="sentences">

@@ -22,6 +22,9 @@ pub(super) fn errors(
         <section class="card" aria-labelledby="errors-title" data-testid="errors">
             <h2 id="errors-title">{ text.errors }</h2>
             { match &state.errors {
+                Some(errors) if errors.commands.is_empty() && errors.unknown.is_empty() => html! {
+                    <p class="dim">{ text.errs_nowhere }</p>
+                },
                 Some(errors) => tables(errors, text, act),
                 None => html! { <p class="dim">{ text.no_errors }</p> },
             } }

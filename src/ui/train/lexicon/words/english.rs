@@ -27,6 +27,7 @@ pub(super) static ENGLISH: Text = Text {
     // Errors.
     errors: "Where it errs",
     no_errors: "Ask a model about every row under Data: then the worst commands, the unknown words and the features that decided wrongly stand here.",
+    errs_nowhere: "Every row is answered as it was shown.",
     worst: "Commands that fail most",
     command: "Command",
     right: "Right",

@@ -27,6 +27,7 @@ pub(super) static GERMAN: Text = Text {
     // Errors.
     errors: "Wo es irrt",
     no_errors: "Unter Daten ein Modell nach jeder Zeile fragen: Dann stehen hier die schlechtesten Befehle, die unbekannten Wörter und die Merkmale, die falsch entschieden.",
+    errs_nowhere: "Jede Zeile wird beantwortet, wie sie vorgeführt wurde.",
     worst: "Befehle, die am meisten scheitern",
     command: "Befehl",
     right: "Richtig",

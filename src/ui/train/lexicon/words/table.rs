@@ -26,6 +26,7 @@ pub struct Text {
     // Errors.
     pub errors: &'static str,
     pub no_errors: &'static str,
+    pub errs_nowhere: &'static str,
     pub worst: &'static str,
     pub command: &'static str,
     pub right: &'static str,

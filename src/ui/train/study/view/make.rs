@@ -1,10 +1,10 @@
 //! Making a study: what it is to be, drawing it, and the file that comes of it.
 
-use super::panel::{bar, button};
-use crate::ui::page::view::fields::{line, number, tick};
+use super::controls::{bar, button};
+use crate::ui::page::view::fields::{choice, line, number, tick};
 use crate::ui::page::view::files::open_file;
 use crate::ui::train::desk::Desk;
-use crate::ui::train::study::action::{Action, Change, Saved};
+use crate::ui::train::study::action::{Action, Change, Saved, Way};
 use crate::ui::train::study::state::{Draft, State};
 use crate::ui::train::study::words::Text;
 use web_sys::{HtmlTextAreaElement, InputEvent};
@@ -33,6 +33,10 @@ pub(super) fn make(
         |id: &'static str, label: &'static str, value: &str, change: fn(String) -> Change| {
             line(id, label, "text", value, act.reform(move |words| Action::Draft(change(words))))
         };
+    let ways: Vec<String> = Way::ALL.iter().map(|way| (text.ways)(*way).to_owned()).collect();
+    let chosen = Way::ALL.iter().position(|way| way.ends()[0] == *ends).unwrap_or(0);
+    let choose =
+        act.reform(|at: usize| Action::Way(Way::ALL.get(at).copied().unwrap_or(Way::File)));
     html! {
         <section class="card" aria-labelledby="study-title">
             <h2 id="study-title">{ text.make_title }</h2>
@@ -49,6 +53,7 @@ pub(super) fn make(
                 { n("study-seed", text.seed, *seed, u32::MAX, Change::Seed) }
                 { n("study-cents", text.cents, *cents, 100_000, Change::Cents) }
             </div>
+            <div class="fields">{ choice("study-way".into(), text.way.into(), &ways, chosen, choose) }</div>
             <details>
                 <summary>{ format!("{}, {}, {}", text.consent, text.hosts, text.ends) }</summary>
                 <div class="fields">
@@ -69,6 +74,12 @@ pub(super) fn make(
             if let Some(study) = &state.study {
                 <p data-testid="study-is">{ (text.study_is)(&study.name, study.items.len(), &study.fingerprint()) }</p>
                 <p class="dim">{ text.host_it }</p>
+                if let Some(link) = &state.link {
+                    <p class="buttons">
+                        <a href={format!("collect.html?preview{link}")} target="_blank" rel="noopener" data-testid="study-preview">{ text.preview }</a>
+                        <a href={format!("collect.html{link}")} target="_blank" rel="noopener" data-testid="study-link">{ text.link }</a>
+                    </p>
+                }
             }
             if !state.open.is_empty() {
                 <details>

@@ -1,5 +1,6 @@
 //! Studies as they are drawn; wasm only.
 
+mod controls;
 mod make;
 mod survey;
 mod rows;

@@ -1,6 +1,6 @@
 //! Reviewing answers: bringing them, asking a model, deciding, and taking them out.
 
-use super::panel::{bar, button};
+use super::controls::{bar, button};
 use super::rows::{rows, tasks};
 use super::survey::survey;
 use crate::corpus::Decision;
@@ -34,7 +34,7 @@ pub(super) fn review(
             { survey(state, text, act) }
             if !state.review.rows.is_empty() {
                 { judged(state, desk, text, act) }
-                { rows(state, text, act) }
+                { rows(state, desk.preferences.theme, text, act) }
                 { rule(state, text, act) }
                 { tasks(state, text) }
                 { out(state, text, act) }

@@ -1,9 +1,12 @@
 //! The answers as a table, a page of them at once, each with its flags and what can be decided of it; and how far each
 //! task has come.
 
-use super::panel::button;
+use super::controls::button;
 use crate::corpus::Decision;
+use crate::domain::State as World;
+use crate::render::{Options, Theme};
 use crate::study::coverage::coverage;
+use crate::ui::page::view::picture::Picture;
 use crate::ui::train::study::action::Action;
 use crate::ui::train::study::files::PAGE;
 use crate::ui::train::study::state::State;
@@ -11,7 +14,12 @@ use crate::ui::train::study::words::Text;
 use yew::{Callback, Html, html};
 
 /// The answers on view.
-pub(super) fn rows(state: &State, text: &'static Text, act: &Callback<Action>) -> Html {
+pub(super) fn rows(
+    state: &State,
+    theme: Theme,
+    text: &'static Text,
+    act: &Callback<Action>,
+) -> Html {
     let seen = state.seen();
     let from = state.from.min(seen.len().saturating_sub(1));
     let some: Vec<usize> = seen.iter().copied().skip(from).take(PAGE).collect();
@@ -25,7 +33,7 @@ pub(super) fn rows(state: &State, text: &'static Text, act: &Callback<Action>) -
                         <th>{ text.answer }</th><th>{ text.task }</th><th>{ text.person }</th>
                         <th>{ text.flags }</th><th>{ text.decision }</th><th><span class="unseen">{ text.approve }</span></th>
                     </tr></thead>
-                    <tbody>{ for some.into_iter().map(|at| row(state, at, text, act)) }</tbody>
+                    <tbody>{ for some.into_iter().map(|at| row(state, at, theme, text, act)) }</tbody>
                 </table>
             </div>
             <p class="buttons">
@@ -37,7 +45,13 @@ pub(super) fn rows(state: &State, text: &'static Text, act: &Callback<Action>) -
     }
 }
 
-fn row(state: &State, at: usize, text: &'static Text, act: &Callback<Action>) -> Html {
+fn row(
+    state: &State,
+    at: usize,
+    theme: Theme,
+    text: &'static Text,
+    act: &Callback<Action>,
+) -> Html {
     let Some(row) = state.review.rows.get(at) else { return Html::default() };
     let answer = &row.answer;
     let [open, approved, rejected] = text.decisions;
@@ -48,7 +62,9 @@ fn row(state: &State, at: usize, text: &'static Text, act: &Callback<Action>) ->
     };
     let is_open = row.decision == Decision::Open;
     let named = |id, words: &str, action| button(id, words, false, act, action);
+    let shown = state.looked_at == Some(at);
     html! {
+        <>
         <tr data-testid="answer-row" data-decision={decision}>
             <td dir="auto" class="command">{ &answer.command }</td>
             <td>{ answer.task.clone() }</td>
@@ -56,6 +72,7 @@ fn row(state: &State, at: usize, text: &'static Text, act: &Callback<Action>) ->
             <td>{ for row.flags.iter().map(|&flag| html! { <span class="mark">{ (text.flag)(flag) }</span> }) }</td>
             <td>{ decision }if !why.is_empty() { { ": " }{ why } }</td>
             <td class="buttons">
+                { named("look", text.look, Action::Look(at)) }
                 if is_open {
                     { named("approve", text.approve, Action::Approve(at)) }
                     { named("reject", text.reject, Action::Reject(at)) }
@@ -64,6 +81,28 @@ fn row(state: &State, at: usize, text: &'static Text, act: &Callback<Action>) ->
                 }
             </td>
         </tr>
+        if shown { <tr data-testid="answer-pairs"><td colspan="6">{ pairs(state, at, theme, text) }</td></tr> }
+        </>
+    }
+}
+
+/// What an answer was said of.
+fn pairs(state: &State, at: usize, theme: Theme, text: &'static Text) -> Html {
+    let shows =
+        state.review.rows.get(at).map(|row| row.answer.pairs.as_slice()).unwrap_or_default();
+    let picture = |world: &World, label: String| {
+        let options = Options { theme, letters: true, ..Options::default() };
+        html! { <Picture world={world.clone()} {options} {label} /> }
+    };
+    html! {
+        <div class="asked">
+            { for shows.iter().zip(1..).map(|(showing, n)| {
+                let (pre, post) = showing.states();
+                html! {
+                    <span class="pair">{ picture(pre, (text.before)(n)) }{ "→" }{ picture(post, (text.after)(n)) }</span>
+                }
+            }) }
+        </div>
     }
 }
 

@@ -1,6 +1,6 @@
 //! Another program's trials: which value is what.
 
-use super::panel::button;
+use super::controls::button;
 use crate::study::survey::trials::paths;
 use crate::ui::page::view::fields::choice;
 use crate::ui::page::view::files::open_file;

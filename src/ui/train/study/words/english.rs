@@ -2,7 +2,7 @@
 
 use super::table::Text;
 use crate::study::Flag;
-use crate::ui::train::study::action::{Saved, Value};
+use crate::ui::train::study::action::{Saved, Value, Way};
 
 /// The words.
 pub(super) static ENGLISH: Text = Text {
@@ -28,6 +28,16 @@ pub(super) static ENGLISH: Text = Text {
     no_study: "There is no study yet: draw one, or open one.",
     open: "What the pairs leave open",
     host_it: "Put the file beside collect.html and send people to collect.html?study=study.json; with &preview you see it as they do.",
+
+    way: "Usual ends",
+    ways: |way| match way {
+        Way::File => "a code, and a file to send",
+        Way::Endpoint => "a receiver of your own, and a code",
+        Way::Prolific => "a receiver of your own, and back to Prolific",
+        Way::Frame => "the form of a frame, as on Mechanical Turk",
+    },
+    preview: "See it as a participant",
+    link: "A link that holds all of it",
 
     review_title: "Review answers",
     review_help: "Bring the files that people sent, what an endpoint received, or batch results, in any order. jsPsych’s and psiTurk’s files are mapped first.",
@@ -87,6 +97,9 @@ pub(super) static ENGLISH: Text = Text {
     approve: "Approve",
     reject: "Reject",
     reopen: "Reopen",
+    look: "Pairs",
+    before: |at| format!("Before {at}"),
+    after: |at| format!("After {at}"),
     why: "Reason for rejecting",
     rule_title: "Decide what is open",
     rule: "Reject what has one of these flags, approve the rest:",

@@ -2,7 +2,7 @@
 
 use super::table::Text;
 use crate::study::Flag;
-use crate::ui::train::study::action::{Saved, Value};
+use crate::ui::train::study::action::{Saved, Value, Way};
 
 /// The words.
 pub(super) static GERMAN: Text = Text {
@@ -28,6 +28,16 @@ pub(super) static GERMAN: Text = Text {
     no_study: "Es gibt noch keine Studie: Zieh eine, oder öffne eine.",
     open: "Was die Paare offenlassen",
     host_it: "Leg die Datei neben collect.html und schick die Leute zu collect.html?study=study.json; mit &preview siehst du sie wie sie.",
+
+    way: "Übliche Enden",
+    ways: |way| match way {
+        Way::File => "ein Code, und eine Datei zum Schicken",
+        Way::Endpoint => "ein eigener Empfänger, und ein Code",
+        Way::Prolific => "ein eigener Empfänger, und zurück zu Prolific",
+        Way::Frame => "das Formular eines Rahmens wie bei Mechanical Turk",
+    },
+    preview: "Wie eine Teilnehmerin sehen",
+    link: "Ein Link, der alles enthält",
 
     review_title: "Antworten prüfen",
     review_help: "Bring die Dateien, die man dir geschickt hat, was ein Empfänger bekam, oder Batch-Ergebnisse, in beliebiger Reihenfolge. Dateien von jsPsych und psiTurk werden erst zugeordnet.",
@@ -87,6 +97,9 @@ pub(super) static GERMAN: Text = Text {
     approve: "Annehmen",
     reject: "Ablehnen",
     reopen: "Wieder offen",
+    look: "Paare",
+    before: |at| format!("Davor {at}"),
+    after: |at| format!("Danach {at}"),
     why: "Grund der Ablehnung",
     rule_title: "Entscheiden, was offen ist",
     rule: "Ablehnen, was eines dieser Zeichen hat, den Rest annehmen:",

@@ -1,7 +1,7 @@
 //! What a language has to have a word for about studies.
 
 use crate::study::Flag;
-use crate::ui::train::study::action::{Saved, Value};
+use crate::ui::train::study::action::{Saved, Value, Way};
 
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
@@ -29,6 +29,10 @@ pub struct Text {
     pub no_study: &'static str,
     pub open: &'static str,
     pub host_it: &'static str,
+    pub way: &'static str,
+    pub ways: fn(Way) -> &'static str,
+    pub preview: &'static str,
+    pub link: &'static str,
 
     // Answers.
     pub review_title: &'static str,
@@ -54,6 +58,9 @@ pub struct Text {
     pub approve: &'static str,
     pub reject: &'static str,
     pub reopen: &'static str,
+    pub look: &'static str,
+    pub before: fn(usize) -> String,
+    pub after: fn(usize) -> String,
     pub why: &'static str,
     pub rule_title: &'static str,
     pub rule: &'static str,
