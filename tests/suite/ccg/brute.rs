@@ -2,7 +2,7 @@
 
 use groundling::ccg::combinator::Made;
 use groundling::ccg::features::root_features;
-use groundling::ccg::{Atom, Category, Feature, Lexical, Model, RuleId};
+use groundling::ccg::{Atom, Category, Feature, Lexical, Model, RuleId, SyntaxId};
 use groundling::logic::{TermId, print, ty};
 use std::collections::BTreeMap;
 
@@ -51,6 +51,12 @@ pub(super) fn commands(
     goals.sort_unstable();
     goals.dedup();
     goals
+}
+
+/// Whether a sentence may be several commands side by side.
+pub(super) fn is_several(model: &mut Model, n_words: usize, lexical: &[Lexical]) -> bool {
+    let found = derive(model, lexical, (0, n_words), NORMAL_FORM);
+    found.iter().any(|found| found.category.syntax == SyntaxId::LIST)
 }
 
 /// The goals of a sentence, printed, each with the best score of its derivations.
