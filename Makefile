@@ -83,10 +83,10 @@ MODEL ?= assets/model/cleanup.model
 
 model: rust-parts xz ## learn the model that the page opens with anew, from the commands of assets/corpus: always the same bytes
 	mkdir -p target/model
-	for corpus in crowd wide; do
+	for corpus in crowd wide time; do
 		xz --decompress --stdout assets/corpus/$$corpus.csv.xz >target/model/$$corpus.csv
 	done
-	cargo run --release --bin groundling -- train --corpus target/model/crowd.csv target/model/wide.csv --doubt assets/model/doubt.txt --out "$(MODEL)"
+	cargo run --release --bin groundling -- train --corpus target/model/crowd.csv target/model/wide.csv target/model/time.csv --doubt assets/model/doubt.txt --out "$(MODEL)"
 
 # The commands that say how far answers can be trusted: people's, kept elsewhere.
 PEOPLE := amt-pruned-train amt-raw-train amt-2015-objects
@@ -98,10 +98,13 @@ doubt: model ## learn anew how far answers can be trusted, from commands kept el
 	{ grep "^#" assets/model/doubt.txt; cat target/model/doubt.txt; } >target/model/doubt.new
 	mv target/model/doubt.new assets/model/doubt.txt
 
-corpus: rust-parts xz ## draw the states of the commands of assets/corpus/wide.txt anew
+corpus: rust-parts xz ## draw the states and runs of the commands of assets/corpus/wide.txt and time.txt anew
 	mkdir -p target/corpus
 	cargo run --release --bin groundling -- generate --tasks assets/corpus/wide.txt --pairs 3 --seed 11 >target/corpus/wide.csv
-	xz -9 --extreme --stdout target/corpus/wide.csv >assets/corpus/wide.csv.xz
+	cargo run --release --bin groundling -- generate --tasks assets/corpus/time.txt --pairs 3 --seed 13 >target/corpus/time.csv
+	for corpus in wide time; do
+		xz -9 --extreme --stdout target/corpus/$$corpus.csv >assets/corpus/$$corpus.csv.xz
+	done
 	cargo test --test suite wide::
 
 # What `make words` reads, and what it writes.

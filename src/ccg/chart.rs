@@ -35,6 +35,8 @@ pub struct ChartConfig {
     pub allow_throwing: bool,
     /// The clauses, which are read one by one.
     pub clauses: Clauses,
+    /// Whether a sentence may ask for a task over time.
+    pub in_time: bool,
 }
 
 impl Default for ChartConfig {
@@ -47,6 +49,7 @@ impl Default for ChartConfig {
             allow_vacuous: false,
             allow_throwing: false,
             clauses: Clauses::ONE,
+            in_time: true,
         }
     }
 }
@@ -207,7 +210,7 @@ impl Chart {
             .spans
             .iter()
             .filter_map(|span| {
-                let plain = |&edge: &u32| self.edge(edge).made != Made::ByShift;
+                let plain = |&edge: &u32| !self.edge(edge).made.is_shifted();
                 let first = span.edges.start as usize;
                 let edges = first..first + span.edges.clone().take_while(plain).count();
                 (edges.len() > beam).then_some(edges)

@@ -39,6 +39,13 @@ pub struct Shift {
     pub meaning: TermId,
 }
 
+impl Shift {
+    /// Whether it makes a clause of time of a command.
+    fn is_late(&self) -> bool {
+        self.to == SyntaxId::T
+    }
+}
+
 /// One of two neighbours, or a way in which neither is the other's functor.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
@@ -60,8 +67,17 @@ pub enum Made {
     ByForwardComposition,
     /// By backward composition: it may not be the functor of a backward rule.
     ByBackwardComposition,
-    /// By a shift: it may not shift again.
+    /// By a shift: it may not shift again, but to a clause of time.
     ByShift,
+    /// By the shift of a plain command to a clause of time.
+    ByTask,
+}
+
+impl Made {
+    /// Whether a shift made it.
+    pub(super) fn is_shifted(self) -> bool {
+        matches!(self, Made::ByShift | Made::ByTask)
+    }
 }
 
 /// The variable of the binder around. The parts are closed, so that nothing needs raising below a new binder.
@@ -154,7 +170,44 @@ pub const RULES: &[Rule] = &[
         functor: Side::Beside,
         made: Made::Plainly,
     },
+    // Two clauses of time: first the one, then the other.
+    Rule {
+        name: ";",
+        syntax: |_, left, right| (left == SyntaxId::T && right == SyntaxId::T).then_some(left),
+        meaning: |terms, left, right| terms.compose(left, right),
+        written: |left, right| left.applied(vec![right.applied(vec![HERE])]).lambda(),
+        functor: Side::Beside,
+        made: Made::Plainly,
+    },
+    // A prohibition beside a clause of time holds all along, wherever it is said.
+    Rule {
+        name: "!",
+        syntax: |_, left, right| {
+            (left == SyntaxId::T && right == SyntaxId::NEG).then_some(SyntaxId::T)
+        },
+        meaning: |terms, left, right| terms.bounded(right, left),
+        written: |left, right| bounded(right, left),
+        functor: Side::Neither,
+        made: Made::Plainly,
+    },
+    Rule {
+        name: "!>",
+        syntax: |_, left, right| {
+            (left == SyntaxId::NEG && right == SyntaxId::T).then_some(SyntaxId::T)
+        },
+        meaning: |terms, left, right| terms.bounded(left, right),
+        written: bounded,
+        functor: Side::Beside,
+        made: Made::Plainly,
+    },
 ];
+
+/// `λk. all(always(φ), f(k))`
+fn bounded(holds: Expression, clause: Expression) -> Expression {
+    let name = |name: &str| Expression::Name(name.into());
+    let parts = vec![name("always").applied(vec![holds]), clause.applied(vec![HERE])];
+    name("all").applied(parts).lambda()
+}
 
 /// `λy. g(y)(x)` for `x g`: `x` raised to `λf. f(x)` and composed with `g`.
 fn raised_composition(terms: &mut Terms, x: TermId, g: TermId) -> Result<TermId, LogicError> {
@@ -308,15 +361,22 @@ impl Grammar {
     }
 
     /// The syntactic categories that shifts make of another.
-    pub(super) fn shifted_syntaxes(&self, from: SyntaxId) -> impl Iterator<Item = SyntaxId> {
-        self.shifts.iter().filter(move |shift| shift.from == from).map(|shift| shift.to)
+    /// Those to clauses of time are `late`: they may follow one of the others.
+    pub(super) fn shifted_syntaxes(
+        &self,
+        from: SyntaxId,
+        late: bool,
+    ) -> impl Iterator<Item = SyntaxId> {
+        let fits = move |shift: &&Shift| shift.from == from && shift.is_late() == late;
+        self.shifts.iter().filter(fits).map(|shift| shift.to)
     }
 
     /// What the shifts make of a category, with the rules.
-    pub fn shifted(&mut self, category: Category) -> Vec<(RuleId, Category)> {
+    pub fn shifted(&mut self, category: Category, late: bool) -> Vec<(RuleId, Category)> {
         let Grammar { shifts, terms, .. } = self;
         let first = RULES.len() as u8;
-        let fitting = (first..).zip(shifts).filter(|(_, shift)| shift.from == category.syntax);
+        let fits = |shift: &Shift| shift.from == category.syntax && shift.is_late() == late;
+        let fitting = (first..).zip(shifts).filter(|(_, shift)| fits(shift));
         let shifted = fitting.filter_map(|(row, shift)| {
             let meaning = terms.apply(shift.meaning, category.meaning).ok()?;
             Some((RuleId(row), Category { syntax: shift.to, meaning }))

@@ -1,10 +1,15 @@
 //! Factoring a category into the constants it speaks of and a template with typed holes (Kwiatkowski et al. 2011).
 //! A template's meaning is the category's, abstracted over its holes: applying it to constants gives it back.
 
-use crate::logic::{ConstantId, LogicError, Node, TermId, Terms};
+use crate::logic::{ConstantId, LogicError, Node, TIME, TermId, Terms};
 
 /// The constants that never become a hole: they are the frame that words fill.
 const FRAME: [&str; 7] = ["and", "or", "not", "true", "false", "the", "exists"];
+
+/// Whether a constant is one of them: what speaks of time is.
+fn is_frame(name: &str) -> bool {
+    FRAME.contains(&name) || TIME.iter().any(|(known, _)| *known == name)
+}
 
 /// Constants in the order of their first occurrence, and the meaning abstracted over them in that order.
 pub struct Factored {
@@ -24,7 +29,7 @@ pub fn factor(
     fixed: &[ConstantId],
 ) -> Result<Factored, LogicError> {
     let mut constants = terms.constants(meaning);
-    constants.retain(|c| !FRAME.contains(&terms.name(*c)) && !fixed.contains(c));
+    constants.retain(|c| !is_frame(terms.name(*c)) && !fixed.contains(c));
     let mut template = abstract_constants(terms, meaning, &constants, 0)?;
     for &constant in constants.iter().rev() {
         template = terms.lambda(terms.constant_ty(constant), template)?;

@@ -40,6 +40,8 @@ pub enum Feature {
     Head(ConstantId, u8, ConstantId),
     /// A relation's two arguments have these head nouns.
     Heads(ConstantId, ConstantId),
+    /// What is to be so first is said of something with this head noun, and what is next of one with that.
+    Then(ConstantId, ConstantId),
 }
 
 impl Feature {
@@ -62,7 +64,7 @@ impl Feature {
             Feature::Pair(..) => Kind::Pair,
             Feature::Conjoined(..) => Kind::Conjoined,
             Feature::Alone(_) => Kind::Alone,
-            Feature::Head(..) | Feature::Heads(..) => Kind::Head,
+            Feature::Head(..) | Feature::Heads(..) | Feature::Then(..) => Kind::Head,
             Feature::Skip | Feature::Dropped | Feature::Lost | Feature::Far | Feature::Measure => {
                 return None;
             }
@@ -84,7 +86,8 @@ impl Feature {
             | Feature::Far
             | Feature::Measure
             | Feature::Conjoined(..)
-            | Feature::Alone(_) => 1.0,
+            | Feature::Alone(_)
+            | Feature::Then(..) => 1.0,
         }
     }
 }
@@ -93,7 +96,7 @@ impl Feature {
 /// none: without it nothing would be said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-#[expect(missing_docs, reason = "as of `Feature`; both of heads are one")]
+#[expect(missing_docs, reason = "as of `Feature`; all of heads are one")]
 pub enum Kind {
     Lexeme,
     Template,
@@ -323,6 +326,12 @@ impl Occurring<'_> {
                     self.predicates.push(constant);
                     self.collect_heads(constant, args);
                 }
+                if let &[_, reach, then] = args
+                    && self.terms.ty(term) == ty::RUN
+                    && let (Some(a), Some(b)) = (self.subject(reach), self.subject(then))
+                {
+                    self.features.push(Feature::Then(a, b));
+                }
                 args.iter().for_each(|&arg| self.collect(arg));
             }
         }
@@ -374,6 +383,18 @@ impl Occurring<'_> {
         self.features.extend(features);
         if let [Some(a), Some(b)] = heads[..] {
             self.features.push(Feature::Heads(a, b));
+        }
+    }
+
+    /// The noun of what a goal, or the first step of a task, is said of.
+    fn subject(&self, term: TermId) -> Option<ConstantId> {
+        let Node::Apply { args, .. } = self.terms.node(term) else { return None };
+        match *args {
+            [_, reach, _] if self.terms.ty(term) == ty::RUN => self.subject(reach),
+            // What begins to be forbidden after a step is no next step.
+            _ if self.terms.ty(term) == ty::RUN => None,
+            [first, ..] if self.terms.ty(first) == ty::ENTITY => self.head(first),
+            _ => args.iter().find_map(|&arg| self.subject(arg)),
         }
     }
 

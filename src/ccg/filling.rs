@@ -36,7 +36,7 @@ impl Chart {
         }
         let loss = features.value(Feature::Lost);
         let given = chart.lexical.iter().map(|item| (item.start, item.end, item.category.syntax));
-        let reach = Reach::new(grammar, words, config.clauses, given);
+        let reach = Reach::new(grammar, words, &config, given);
         let cell = Cell { span: (0, 0), edges: Vec::new(), known: FxHashMap::default(), admit };
         let mut filling = Filling { chart, grammar, features, loss, config, items, reach, cell };
         for width in 1..=words {
@@ -301,26 +301,35 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
         edges.sort_unstable_by(order);
         self.chart.edges.append(edges);
     }
-    /// Shifts what was kept, at most once: what comes out stands behind it, beyond the beam.
+
+    /// Shifts what was kept: what comes out stands behind it, beyond the beam. Nothing is shifted twice, but that what
+    /// comes out as a command may be made a clause of time.
     fn shift(&mut self, first: u32, start: usize, end: usize) {
-        self.cell.known.clear();
-        for child in first..self.chart.edges.len() as u32 {
-            let edge = *self.chart.edge(child);
-            for (rule, category) in self.grammar.shifted(edge.category) {
-                if !self.reach.is_useful(start, end, category.syntax)
-                    || !self.config.allow_throwing && self.grammar.shift_throws(rule)
-                {
-                    continue;
-                }
-                let lost = self.grammar.lost(&[edge.category.meaning], category.meaning);
-                let own = self.features.value(Feature::Rule(rule));
-                let score = edge.score + own + f64::from(lost) * self.loss;
-                let step = Step::Shift { rule, child };
-                let split = start as u32;
-                self.add(Found { category, made: Made::ByShift, score, step, split });
+        for late in [false, true] {
+            self.cell.known.clear();
+            for child in first..self.chart.edges.len() as u32 {
+                self.shift_edge(child, (start, end), late);
             }
+            self.chart.edges.append(&mut self.cell.edges);
         }
-        self.chart.edges.append(&mut self.cell.edges);
+    }
+
+    fn shift_edge(&mut self, child: u32, (start, end): (usize, usize), late: bool) {
+        let edge = *self.chart.edge(child);
+        let made = if late && !edge.made.is_shifted() { Made::ByTask } else { Made::ByShift };
+        for (rule, category) in self.grammar.shifted(edge.category, late) {
+            if !self.reach.is_useful(start, end, category.syntax)
+                || !self.config.allow_throwing && self.grammar.shift_throws(rule)
+            {
+                continue;
+            }
+            let lost = self.grammar.lost(&[edge.category.meaning], category.meaning);
+            let own = self.features.value(Feature::Rule(rule));
+            let score = edge.score + own + f64::from(lost) * self.loss;
+            let step = Step::Shift { rule, child };
+            let split = start as u32;
+            self.add(Found { category, made, score, step, split });
+        }
     }
 
     /// Files the edges from `first` on by syntax.

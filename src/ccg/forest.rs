@@ -3,14 +3,15 @@
 //! Invariant: it comes of a chart that neither beam nor budget cut ([`Chart::is_whole`]), since which edges there are
 //! then does not hang on the weights. What a beam would leave of them does: it is worked out with the scores.
 
-use super::chart::{Chart, Lexical, Step};
-use super::combinator::{Grammar, Made, RuleId};
+use super::chart::{Chart, Edge, Lexical, Step};
+use super::combinator::{Grammar, RuleId};
 use super::derivation::Derivation;
 use super::features::{Feature, Features, Vector};
 use super::goals::{Goal, Goals};
 use super::lexicon::EntryId;
 use super::model::Model;
 use super::parse::{Reading, is_goal, rank, ranked};
+use super::syntax::SyntaxId;
 use crate::logic::{TermId, order};
 use std::cmp::Ordering;
 use std::rc::Rc;
@@ -283,11 +284,13 @@ impl Forest {
     }
 
     /// The order of two edges over the same span, as a chart has it: what shifts made stands behind the rest, in the
-    /// order in which they come upon it.
+    /// order in which they come upon it, clauses of time last.
     fn compare_edges(&self, grammar: &Grammar, a: u32, b: u32) -> Ordering {
         let (x, y) = (self.chart.edge(a), self.chart.edge(b));
-        match (x.made == Made::ByShift, y.made == Made::ByShift) {
+        let is_late = |edge: &Edge| edge.category.syntax == SyntaxId::T;
+        match (x.made.is_shifted(), y.made.is_shifted()) {
             _ if a == b => Ordering::Equal,
+            (true, true) if is_late(x) != is_late(y) => is_late(x).cmp(&is_late(y)),
             (false, false) => x.compare(y, grammar),
             (true, true) => {
                 let first = |edge: u32| {

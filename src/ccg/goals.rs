@@ -37,10 +37,11 @@ impl Goal {
 pub struct Goals(FxHashMap<TermId, Rc<Goal>>);
 
 impl Goals {
-    /// What there is to know of a goal.
-    pub fn get(&mut self, grammar: &mut Grammar, form: TermId) -> Rc<Goal> {
+    /// What there is to know of a goal, or of what a clause of time asks for by itself.
+    pub fn get(&mut self, grammar: &mut Grammar, meaning: TermId) -> Rc<Goal> {
         let Grammar { terms, sorts, commutative, .. } = grammar;
-        let goal = self.0.entry(form).or_insert_with(|| {
+        let goal = self.0.entry(meaning).or_insert_with(|| {
+            let form = terms.ended(meaning);
             let features = root_features(terms, sorts, form);
             let key = commuted(terms, commutative, form);
             Rc::new(Goal { form, key, features, printed: OnceCell::new() })

@@ -51,6 +51,23 @@ impl Hearing {
         items
     }
 
+    /// Whether a word speaks of time: it orders clauses or forbids something on the way. "And" alone does not.
+    pub(super) fn is_in_time(&self, model: &Model) -> bool {
+        let speaks = |start: usize, end: usize| {
+            let own: Vec<Box<str>> =
+                self.words[start..end].iter().map(|w| Box::from(&**w)).collect();
+            let closed = &self.closed[start..end];
+            closed.iter().any(|kind| kind.is_some_and(|kind| kind != Kind::Joins))
+                && model.lexicon.entries_for(&own).iter().any(|&entry| {
+                    model.grammar.syntaxes.is_in_time(model.lexicon.category(entry).syntax)
+                })
+        };
+        (0..self.words.len()).any(|start| {
+            let longest = (start + model.lexicon.longest()).min(self.words.len());
+            (start + 1..=longest).any(|end| speaks(start, end))
+        })
+    }
+
     /// The clauses: one begins where a word that joins or orders stands before an imperative.
     pub fn clauses(&self, model: &Model) -> Clauses {
         let joins = |at: usize| matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));

@@ -4,6 +4,7 @@
 //! `frame` and `commutative` lines name constants; `shift FROM=>TO : meaning` lines are type shifts; `#` begins a comment.
 
 use super::category::Category;
+use super::closed::{Kind, closed};
 use super::features::Feature;
 use super::lexicon::{Hole, Origin};
 use super::model::Model;
@@ -22,6 +23,10 @@ const DROP: f64 = -3.0;
 const LOSS: f64 = -1.5;
 /// The weight with which learning begins for two commands side by side: most commands are one.
 const BESIDE: f64 = -6.0;
+/// The same for two commands of which nothing says that one comes after the other: most are about one end.
+const SEQUENCE: f64 = -12.0;
+/// What it costs that "and" says what comes after.
+const JOINED: f64 = -6.0;
 
 /// Phrases that one line may stand for.
 const MAX_ALTERNATIVES: usize = 512;
@@ -51,8 +56,10 @@ pub fn read_lexicon(model: &mut Model, text: &str) -> Result<(), LexiconError> {
     model.features.set(Feature::Skip, SKIP);
     model.features.set(Feature::Dropped, DROP);
     model.features.set(Feature::Lost, LOSS);
-    if let Some(beside) = model.grammar.rule_named("&") {
-        model.features.set(Feature::Rule(beside), BESIDE);
+    for (name, weight) in [("&", BESIDE), (";", SEQUENCE), ("!", BESIDE), ("!>", BESIDE)] {
+        if let Some(beside) = model.grammar.rule_named(name) {
+            model.features.set(Feature::Rule(beside), weight);
+        }
     }
     Ok(())
 }
@@ -146,20 +153,24 @@ fn top_level(text: &str) -> Result<Vec<&str>, String> {
 }
 
 fn add_entry(model: &mut Model, phrase: &str, category: Category) -> Result<(), String> {
-    let words: Box<[Box<str>]> = words(phrase).into_iter().map(Box::from).collect();
+    let words = words(phrase);
     if words.is_empty() {
         return Err("there are no words before :-".to_owned());
     }
     let n_words = words.len();
+    let own = words.iter().map(|word| Box::from(word.as_str())).collect();
     let entry = model
         .lexicon
-        .add_category(&mut model.grammar, words, category, Origin::Seed)
+        .add_category(&mut model.grammar, own, category, Origin::Seed)
         .map_err(|e| e.to_string())?;
     // That a word may mean nothing is no reason to think so: where it also has a meaning, the meaning goes before.
     if category.syntax != SyntaxId::EMPTY {
         let lexeme = model.lexicon.entry(entry).lexeme;
+        let is_joint = closed(words.as_slice()).iter().all(|&kind| kind == Some(Kind::Joins));
+        let is_of_time = model.grammar.syntaxes.is_in_time(category.syntax);
+        let price = if is_joint && is_of_time { JOINED } else { 0.0 };
         model.features.set(Feature::Lexeme(lexeme), seed_weight(n_words));
-        model.features.set(Feature::Entry(entry), seed_weight(n_words));
+        model.features.set(Feature::Entry(entry), seed_weight(n_words) + price);
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ use super::general::General;
 use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
 use super::number::number;
 use super::syntax::Atom;
-use crate::logic::{ConstantId, LogicError, Signature, Sorts, TermId, print, read, ty};
+use crate::logic::{ConstantId, LogicError, Signature, Sorts, TIME, TermId, print, read, ty};
 use indexmap::IndexMap;
 use std::sync::Arc;
 
@@ -251,7 +251,7 @@ impl Model {
                 let words: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
                 let goal = read(&mut self.grammar.terms, goal).map_err(|e| e.to_string())?;
                 self.check_constants(goal)?;
-                if words.is_empty() || self.grammar.terms.ty(goal) != ty::TRUTH {
+                if words.is_empty() || !matches!(self.grammar.terms.ty(goal), ty::TRUTH | ty::RUN) {
                     return Err("an idiom is words and a goal".to_owned());
                 }
                 self.add_idiom(&words, goal).map_err(|e| e.to_string())?;
@@ -320,12 +320,16 @@ impl Model {
             .map_err(|_| "the constants do not fit the template".to_owned())
     }
 
-    /// Every constant must be in the signature with its type, or be a hole.
+    /// Every constant must be in the signature with its type, or be a hole; what speaks of time is in every one.
     pub(super) fn check_constants(&mut self, meaning: TermId) -> Result<(), String> {
         for constant in self.grammar.terms.constants(meaning) {
             let terms = &mut self.grammar.terms;
             let (name, ty) = (terms.name(constant).to_owned(), terms.constant_ty(constant));
-            if !name.starts_with('?') && self.signature.ty(&mut terms.types, &name) != Some(ty) {
+            let is_of_time = TIME.contains(&(&*name, &*terms.types.print(ty)));
+            if !name.starts_with('?')
+                && !is_of_time
+                && self.signature.ty(&mut terms.types, &name) != Some(ty)
+            {
                 let ty = terms.types.print(ty);
                 return Err(format!("{name}:{ty} is not in the signature"));
             }
@@ -408,6 +412,7 @@ impl Model {
                 format!("head\t{}\t{place}\t{}", self.constant(relation), self.constant(head))
             }
             Feature::Heads(a, b) => format!("heads\t{}\t{}", self.constant(a), self.constant(b)),
+            Feature::Then(a, b) => format!("then\t{}\t{}", self.constant(a), self.constant(b)),
         }
     }
 
@@ -442,6 +447,7 @@ impl Model {
                 Feature::Head(self.read_constant(relation)?, place, self.read_constant(head)?)
             }
             ["heads", a, b] => Feature::Heads(self.read_constant(a)?, self.read_constant(b)?),
+            ["then", a, b] => Feature::Then(self.read_constant(a)?, self.read_constant(b)?),
             _ => {
                 let begin: String = fields.concat().chars().take(20).collect();
                 return Err(format!("there is no feature {begin:?} with so many parts"));

@@ -15,6 +15,7 @@ use super::lexicon::EntryId;
 use super::lookup::lexical_item;
 use super::model::Model;
 use super::sentence::{is_too_long, words};
+use super::syntax::SyntaxId;
 use crate::logic::order::{sort_by, sort_by_key};
 use crate::logic::{TermId, Terms, TyId, ty};
 use indexmap::IndexMap;
@@ -317,7 +318,8 @@ fn fill_piece(
 
 /// Reads a sentence clause by clause, if it has several; as a whole where that comes to nothing.
 fn fill_clauses(model: &mut Model, hearing: &Hearing, config: ChartConfig) -> Parse {
-    let clauses = hearing.clauses(model);
+    // What is said of time may be said of all clauses together.
+    let clauses = if hearing.is_in_time(model) { Clauses::ONE } else { hearing.clauses(model) };
     let by_clause = ChartConfig { clauses, ..config };
     let parse = fill_at(model, hearing, Leniency::Learned, by_clause);
     if parse.readings.is_empty() && clauses != Clauses::ONE {
@@ -378,10 +380,14 @@ fn readings(model: &mut Model, goals: &mut Goals, chart: &Chart) -> Vec<Reading>
     ranked(&model.grammar.terms, found)
 }
 
-/// Whether an edge over a whole sentence means a goal.
-pub(super) fn is_goal(grammar: &Grammar, edge: &Edge) -> bool {
+/// Whether an edge over a whole sentence means a goal, or a task over time: a command that was made a clause of one is
+/// no more than a command.
+pub fn is_goal(grammar: &Grammar, edge: &Edge) -> bool {
     let Category { syntax, meaning } = edge.category;
-    syntax.is_sentence() && grammar.terms.ty(meaning) == ty::TRUTH
+    match syntax {
+        SyntaxId::T => !edge.made.is_shifted(),
+        _ => syntax.is_sentence() && matches!(grammar.terms.ty(meaning), ty::TRUTH | ty::RUN),
+    }
 }
 
 /// Goals with their scores and edges, ranked. Goals that differ in the order of the arguments of a commutative relation

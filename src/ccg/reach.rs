@@ -2,6 +2,7 @@
 //! (coarse to fine, after Charniak et al. 2006), so that the chart builds no meaning that leads nowhere. The
 //! normal form is not asked here: it only takes away.
 
+use super::chart::ChartConfig;
 use super::clauses::Clauses;
 use super::combinator::Grammar;
 use super::syntax::SyntaxId;
@@ -11,6 +12,7 @@ pub(super) struct Reach {
     spans: Vec<Vec<Node>>,
     words: usize,
     clauses: Clauses,
+    in_time: bool,
 }
 
 /// A category over a span.
@@ -18,6 +20,8 @@ struct Node {
     syntax: SyntaxId,
     /// Whether a sentence can come of it.
     useful: bool,
+    /// Whether it comes about otherwise than by a shift.
+    plain: bool,
     ways: Vec<Way>,
 }
 
@@ -34,17 +38,19 @@ impl Reach {
     pub(super) fn new(
         grammar: &mut Grammar,
         words: usize,
-        clauses: Clauses,
+        config: &ChartConfig,
         lexical: impl Iterator<Item = (usize, usize, SyntaxId)>,
     ) -> Self {
         let spans = (0..words * (words + 1)).map(|_| Vec::new()).collect();
-        let mut reach = Reach { spans, words, clauses: clauses.with(words) };
+        let ChartConfig { clauses, in_time, .. } = *config;
+        let mut reach = Reach { spans, words, clauses: clauses.with(words), in_time };
         for (start, end, syntax) in lexical {
-            if !reach.clauses.admit(start, end) {
+            let is_of_time = grammar.syntaxes.is_in_time(syntax);
+            if !reach.clauses.admit(start, end) || is_of_time && !in_time {
                 continue;
             }
             let at = reach.at(start, end);
-            place(&mut reach.spans[at], syntax);
+            place(&mut reach.spans[at], syntax).plain = true;
         }
         for width in 1..=words {
             for start in 0..=words - width {
@@ -55,7 +61,11 @@ impl Reach {
         }
         if words > 0 {
             let top = &reach.spans[reach.at(0, words)];
-            let is_root = |&root: &usize| top[root].syntax.is_sentence();
+            // A command that was made a clause of time is no more than a command.
+            let is_root = |&root: &usize| {
+                let Node { syntax, plain, .. } = top[root];
+                syntax.is_sentence() && (plain || syntax != SyntaxId::T)
+            };
             let roots: Vec<usize> = (0..top.len()).filter(is_root).collect();
             roots.into_iter().for_each(|root| reach.mark(root));
         }
@@ -85,15 +95,19 @@ impl Reach {
             for (left, l) in lefts.iter().enumerate() {
                 for (right, r) in rights.iter().enumerate() {
                     for &(_, syntax) in grammar.rows(l.syntax, r.syntax) {
-                        place(&mut cell, syntax).ways.push(Way::Join { split, left, right });
+                        let node = place(&mut cell, syntax);
+                        node.plain = true;
+                        node.ways.push(Way::Join { split, left, right });
                     }
                 }
             }
         }
-        for child in 0..cell.len() {
-            let from = cell[child].syntax;
-            for syntax in grammar.shifted_syntaxes(from) {
-                place(&mut cell, syntax).ways.push(Way::Shift { child });
+        for late in [false, true].into_iter().filter(|late| self.in_time || !late) {
+            for child in 0..cell.len() {
+                let from = cell[child].syntax;
+                for syntax in grammar.shifted_syntaxes(from, late) {
+                    place(&mut cell, syntax).ways.push(Way::Shift { child });
+                }
             }
         }
         self.spans[at] = cell;
@@ -124,7 +138,7 @@ impl Reach {
 fn place(cell: &mut Vec<Node>, syntax: SyntaxId) -> &mut Node {
     let known = cell.iter().position(|node| node.syntax == syntax);
     let at = known.unwrap_or_else(|| {
-        cell.push(Node { syntax, useful: false, ways: Vec::new() });
+        cell.push(Node { syntax, useful: false, plain: false, ways: Vec::new() });
         cell.len() - 1
     });
     &mut cell[at]

@@ -18,14 +18,20 @@ impl SyntaxId {
     /// Several commands, one after the other.
     pub const LIST: SyntaxId = SyntaxId(Atom::LIST as u32);
 
+    /// A prohibition.
+    pub(super) const NEG: SyntaxId = SyntaxId(Atom::NEG as u32);
+
+    /// A task over time.
+    pub(super) const T: SyntaxId = SyntaxId(Atom::T as u32);
+
     /// Its place among the categories.
     pub(super) fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// Whether a whole sentence may have the category: a command, a prohibition, or several commands.
+    /// Whether a whole sentence may have the category: a command, a prohibition, several commands, or a task over time.
     pub fn is_sentence(self) -> bool {
-        self.is_command() || self.is_several() || self.is_one_of(&[Atom::NEG])
+        self.is_command() || self.is_several() || self.is_one_of(&[Atom::NEG, Atom::T])
     }
 
     /// Whether it is a clause that tells to do something: a command, or one with two things.
@@ -47,7 +53,8 @@ impl SyntaxId {
 /// what means nothing here, which its neighbour absorbs; a prohibition, which is a sentence alone and no clause of
 /// another (beside a goal it would hold all the time, not at the end); several commands side by side, which are a
 /// sentence alone too (what is said of the first is not said of all); what a prohibition alone takes, two things of
-/// which neither is to be; and a command with two things, which no prohibition takes.
+/// which neither is to be; a command with two things, which no prohibition takes; a task over time, or a clause of one;
+/// and where the robot passes on its way, which no clause of states takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "the names are the categories'")]
 pub enum Atom {
@@ -62,9 +69,11 @@ pub enum Atom {
     LIST,
     ALT,
     PAIR,
+    T,
+    VIA,
 }
 
-const ATOMS: [(Atom, &str); 11] = [
+const ATOMS: [(Atom, &str); 13] = [
     (Atom::S, "S"),
     (Atom::N, "N"),
     (Atom::NP, "NP"),
@@ -76,6 +85,8 @@ const ATOMS: [(Atom, &str); 11] = [
     (Atom::LIST, "LIST"),
     (Atom::ALT, "ALT"),
     (Atom::PAIR, "PAIR"),
+    (Atom::T, "T"),
+    (Atom::VIA, "VIA"),
 ];
 
 /// Where a functor looks for its argument: `/` to the right, `\` to the left.
@@ -199,6 +210,16 @@ impl Syntaxes {
         }
     }
 
+    /// Whether the category speaks of time anywhere.
+    pub fn is_in_time(&self, id: SyntaxId) -> bool {
+        match self.get(id) {
+            Syntax::Atom(atom) => matches!(atom, Atom::T | Atom::VIA),
+            Syntax::Slash { result, argument, .. } => {
+                self.is_in_time(result) || self.is_in_time(argument)
+            }
+        }
+    }
+
     /// The type of what the category means; `None` where that is left open.
     pub fn ty(&self, types: &mut Types, id: SyntaxId) -> Option<TyId> {
         match self.get(id) {
@@ -206,7 +227,10 @@ impl Syntaxes {
                 Some(ty::TRUTH)
             }
             Syntax::Atom(Atom::NP) => Some(ty::ENTITY),
-            Syntax::Atom(Atom::N | Atom::PP) => Some(types.function(ty::ENTITY, ty::TRUTH)),
+            Syntax::Atom(Atom::T) => Some(types.function(ty::RUN, ty::RUN)),
+            Syntax::Atom(Atom::N | Atom::PP | Atom::VIA) => {
+                Some(types.function(ty::ENTITY, ty::TRUTH))
+            }
             Syntax::Atom(Atom::AP | Atom::ADJ | Atom::EMPTY) => None,
             Syntax::Slash { result, argument, .. } => {
                 let [argument, result] = [argument, result].map(|part| self.ty(types, part));

@@ -110,7 +110,7 @@ pub fn pair(pre: State, post: State) -> Result<(Pair, Vec<String>), Vec<String>>
             ));
         }
     }
-    if errors.is_empty() { Ok((Pair { pre, post }, oddities)) } else { Err(errors) }
+    if errors.is_empty() { Ok((Pair::of(pre, post), oddities)) } else { Err(errors) }
 }
 
 fn differences<'a, K: Ord, V>(

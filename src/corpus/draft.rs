@@ -6,6 +6,7 @@ use super::cell::{self, Moment};
 use super::cells::Cells;
 use super::example::{Decision, Example, Pair, Row};
 use super::flaw::{Flaw, Wrong};
+use super::run;
 
 /// What a form's reader comes to in a step.
 pub(super) enum Found {
@@ -20,6 +21,15 @@ pub(super) enum Found {
 pub(super) struct Place {
     pub(super) column: String,
     pub(super) text: String,
+}
+
+/// The text of a demonstration.
+#[derive(Debug)]
+pub(super) enum Shown {
+    /// The states before and after.
+    Pair(Place, Place),
+    /// A start, the actions from there, and contrasts.
+    Run(Place),
 }
 
 /// A row that is being read.
@@ -38,8 +48,9 @@ pub(super) struct Draft {
     pub(super) worker: Option<String>,
     pub(super) decision: Decision,
     pub(super) rest: Cells,
+    pub(super) keys: Cells,
     pairs: Vec<Pair>,
-    states: std::vec::IntoIter<(Place, Place)>,
+    shown: std::vec::IntoIter<Shown>,
 }
 
 impl Draft {
@@ -56,8 +67,9 @@ impl Draft {
             worker: None,
             decision: Decision::Open,
             rest: Cells::default(),
+            keys: Cells::default(),
             pairs: Vec::new(),
-            states: Vec::new().into_iter(),
+            shown: Vec::new().into_iter(),
         }
     }
 
@@ -80,19 +92,27 @@ impl Draft {
         }
     }
 
-    /// The states of its demonstrations.
-    pub(super) fn show(&mut self, states: Vec<(Place, Place)>) {
-        self.states = states.into_iter();
+    /// Its demonstrations.
+    pub(super) fn show(&mut self, shown: Vec<Shown>) {
+        self.shown = shown.into_iter();
     }
 
     /// Reads one demonstration; what came of the row, when it was the last one.
     pub(super) fn step(&mut self) -> Option<Row> {
-        let Some((pre, post)) = self.states.next() else { return Some(self.end()) };
         let (line, flaws) = (self.line, &mut self.flaws);
-        let pair = cell::demonstration(&pre.text, &post.text, |moment, wrong| {
-            let place = if moment == Moment::Before { &pre } else { &post };
-            flaws.push(Flaw::of_row(line, Some(&place.column), wrong));
-        });
+        let pair = match self.shown.next() {
+            None => return Some(self.end()),
+            Some(Shown::Pair(pre, post)) => {
+                cell::demonstration(&pre.text, &post.text, |moment, wrong| {
+                    let place = if moment == Moment::Before { &pre } else { &post };
+                    flaws.push(Flaw::of_row(line, Some(&place.column), wrong));
+                })
+            }
+            Some(Shown::Run(Place { column, text })) => {
+                let run = run::read(&text);
+                run.map_err(|wrong| flaws.push(Flaw::of_row(line, Some(&column), wrong))).ok()
+            }
+        };
         self.good &= pair.is_some();
         self.pairs.extend(pair);
         None
@@ -115,6 +135,7 @@ impl Draft {
             decision: std::mem::take(&mut self.decision),
             pairs,
             rest: std::mem::take(&mut self.rest),
+            keys: std::mem::take(&mut self.keys),
         });
         let raw = if example.is_none() { std::mem::take(&mut self.raw) } else { Vec::new() };
         Row { example, rejected: false, flaws, raw }

@@ -4,15 +4,25 @@ use super::cells::Cells;
 use super::flaw::Flaw;
 use super::limits::MAX_BAD_BYTES;
 use super::mapping::Mapping;
-use crate::domain::State;
+use super::role::Role;
+use crate::domain::{State, Way};
 use serde::{Deserialize, Serialize};
 
-/// One demonstration: the state before and the state after.
+/// One demonstration: the state before and the state after, and how one came to the other, where it is known.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[expect(missing_docs, reason = "before and after")]
 pub struct Pair {
     pub pre: State,
     pub post: State,
+    /// What makes it a run.
+    pub way: Option<Box<Way>>,
+}
+
+impl Pair {
+    /// A demonstration whose way is not known.
+    pub const fn of(pre: State, post: State) -> Pair {
+        Pair { pre, post, way: None }
+    }
 }
 
 /// What was decided of a row.
@@ -48,6 +58,16 @@ pub struct Example {
     /// The cells of the columns that groundling has no use for, in the order of the header; written back as
     /// they were. Empty when it came from no CSV file.
     pub rest: Cells,
+    /// The keys of a JSON object that groundling has no use for, each with its value behind it, as they were.
+    pub keys: Cells,
+}
+
+impl Example {
+    /// What a JSON object says under a key that groundling has no use for, as it stands there.
+    pub fn value(&self, key: &str) -> Option<&str> {
+        let at = (0..self.keys.len()).step_by(2).find(|&at| self.keys.get(at) == Some(key))?;
+        self.keys.get(at + 1)
+    }
 }
 
 /// Rows that something is wrong with, as they stand in a file, to be mended.
@@ -97,6 +117,26 @@ impl Corpus {
     /// All rows that were read: used, rejected and left out.
     pub fn rows(&self) -> usize {
         self.examples.len() + self.rejected + self.left_out
+    }
+
+    /// What a row of this corpus says under the name of a column, or of a key.
+    pub fn value<'a>(&self, example: &'a Example, name: &str) -> Option<&'a str> {
+        match self.mapping.role(name) {
+            Role::Task => return example.task.as_deref(),
+            Role::Command => return Some(&example.command),
+            _ => {}
+        }
+        let others =
+            self.columns.iter().filter(|column| !self.mapping.role(column).is_kept_apart());
+        let at = others.into_iter().position(|column| column == name);
+        match (at, name) {
+            (Some(at), _) => example.rest.get(at),
+            (None, "id") => Some(&example.id),
+            (None, "command") => Some(&example.command),
+            (None, "task") => example.task.as_deref(),
+            (None, "worker") => example.worker.as_deref(),
+            (None, key) => example.value(key),
+        }
     }
 
     /// Takes in another file's rows.

@@ -6,6 +6,7 @@ use super::limits::MAX_PAIRS;
 use super::mapping::Mapping;
 use super::role::{COMMAND, POST, PRE, Role};
 use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
 
 /// The columns of a table by number: which of them are read, and as what.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,6 +17,8 @@ pub struct Header {
     pub roles: Vec<Role>,
     /// The columns of each demonstration, before and after, in the order of their numbers.
     pub pairs: Vec<(usize, usize)>,
+    /// The columns of each run, in the order of their numbers.
+    pub runs: Vec<usize>,
     /// Where the command is said.
     pub command: Option<usize>,
     /// Where a crowd form's answers are, as JSON.
@@ -44,6 +47,7 @@ impl Header {
         let roles: Vec<Role> = columns.iter().map(|column| mapping.role(column)).collect();
         let mut header = Header { roles, ..Header::default() };
         let mut states: [FxHashMap<usize, usize>; 2] = Default::default();
+        let mut runs: BTreeMap<usize, usize> = BTreeMap::new();
         for (at, (role, column)) in header.roles.iter().zip(&columns).enumerate() {
             let before = match *role {
                 Role::Task => header.task.replace(at),
@@ -57,6 +61,7 @@ impl Header {
                 Role::Reason => header.reason.replace(at),
                 Role::Pre(n) => states[0].insert(n, at),
                 Role::Post(n) => states[1].insert(n, at),
+                Role::Run(n) => runs.insert(n, at),
                 Role::Other => None,
             };
             if before.is_some() {
@@ -65,7 +70,7 @@ impl Header {
             }
         }
         let [before, after] = &states;
-        if before.is_empty() && after.is_empty() {
+        if before.is_empty() && after.is_empty() && runs.is_empty() {
             return Err(missing(&format!("{PRE}1"), &columns));
         }
         for n in 1..=MAX_PAIRS {
@@ -79,6 +84,7 @@ impl Header {
         if header.command.is_none() && header.form.is_none() {
             return Err(missing(COMMAND, &columns));
         }
+        header.runs = runs.into_values().collect();
         header.columns = columns;
         Ok(header)
     }

@@ -1,19 +1,22 @@
-//! JSON, in and out: `{id, command, task?, worker?, pairs: [{pre, post}]}` an object, or an object with the columns of
-//! batch results for names, as programs make of such a table. States are JSON, or JSON in a string.
+//! JSON, in and out: `{id, command, task?, worker?, pairs: [{pre, post}], runs: [{start, actions, contrast?}]}` an object
+//! (with pairs, runs, or both; other keys are kept), or an object with the columns of batch results for names, as
+//! programs make of such a table. States are JSON, or JSON in a string.
 
 use super::admit::{Options, decision};
-use super::draft::{Draft, Found, Place};
+use super::cells::Cells;
+use super::draft::{Draft, Found, Place, Shown};
 use super::example::{Corpus, Decision, Example, Row};
 use super::flaw::{Flaw, Wrong, cut_quoted, some};
 use super::items::{Item, Items};
 use super::limits::MAX_PAIRS;
 use super::mapping::{Mapping, States};
 use super::mturk::form_command;
-use super::role::{APPROVE, COMMAND, FORM, ID, POST, PRE, REASON, STATUS, TASK, WORKER};
+use super::role::{APPROVE, COMMAND, FORM, ID, POST, PRE, REASON, RUN, Role, STATUS, TASK, WORKER};
+use super::run::RunOut;
 use super::source::Source;
 use crate::domain::State;
-use serde::Serialize;
-use serde_json::value::RawValue;
+use serde::{Deserialize, Serialize};
+use serde_json::value::{RawValue, Value};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
@@ -33,8 +36,16 @@ struct LineOut<'a> {
     status: Option<&'a str>,
     #[serde(rename = "Reject", skip_serializing_if = "Option::is_none")]
     reject: Option<&'a str>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pairs: Vec<PairOut<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    runs: Vec<RunOut<'a>>,
+    #[serde(flatten)]
+    keys: BTreeMap<&'a str, Value>,
 }
+
+/// The keys of an object that are read by these names, whatever else is.
+const KEYS: [&str; 6] = ["id", "command", "task", "worker", "pairs", "runs"];
 
 #[derive(Serialize)]
 struct PairOut<'a> {
@@ -101,7 +112,13 @@ pub fn write_rows<'a>(
     mut out: impl Write,
 ) -> std::io::Result<()> {
     for (example, decision) in rows {
-        let pairs = example.pairs.iter().map(|pair| PairOut { pre: &pair.pre, post: &pair.post });
+        let pairs = example.pairs.iter().filter(|pair| pair.way.is_none());
+        let pairs = pairs.map(|pair| PairOut { pre: &pair.pre, post: &pair.post });
+        let runs = example.pairs.iter().filter_map(|pair| Some((&pair.pre, pair.way.as_deref()?)));
+        let keys = (0..example.keys.len()).step_by(2).filter_map(|at| {
+            let (key, value) = (example.keys.get(at)?, example.keys.get(at + 1)?);
+            Some((key, serde_json::from_str(value).ok()?))
+        });
         let line = LineOut {
             id: &example.id,
             command: &example.command,
@@ -117,6 +134,8 @@ pub fn write_rows<'a>(
                 _ => None,
             },
             pairs: pairs.collect(),
+            runs: runs.map(|(start, way)| RunOut::new(start, way)).collect(),
+            keys: keys.collect(),
         };
         serde_json::to_writer(&mut out, &line)?;
         out.write_all(b"\n")?;
@@ -132,7 +151,7 @@ fn row(text: &str, line: u64, options: &Options) -> Found {
         Ok(fields) => fields,
         Err(error) if error.is_data() => {
             let what = "this is no JSON object";
-            let mend = "a row is {\"command\": …, \"pairs\": [{\"pre\": …, \"post\": …}]}";
+            let mend = "a row is {\"command\": …, \"pairs\": [{\"pre\": …, \"post\": …}]}, or has \"runs\"";
             return bad(Wrong::with_mend(what, mend));
         }
         Err(error) => return bad(Wrong::from(broken(&error))),
@@ -180,7 +199,15 @@ fn row(text: &str, line: u64, options: &Options) -> Found {
         (Some((name, command)), _) => draft.say(name, self::plain(command)),
     }
     states(&fields, mapping, &mut draft);
+    draft.keys = others(&fields, mapping);
     Found::Draft(Box::new(draft))
+}
+
+/// The keys that nothing is read of, each with its value.
+fn others(fields: &Fields<'_>, mapping: &Mapping) -> Cells {
+    let is_read = |key: &str| KEYS.contains(&key) || mapping.role(key) != Role::Other;
+    let others = fields.iter().filter(|(key, _)| !is_read(key));
+    others.flat_map(|(key, value)| [&**key, value.get()]).collect()
 }
 
 /// The keys of an object and its values, as a person may look at them; none where it is no object.
@@ -190,61 +217,93 @@ pub(super) fn fields(text: &str) -> Option<Vec<(String, String)>> {
     Some(fields.into_iter().map(|(key, value)| (key.into_owned(), shown(value))).collect())
 }
 
-/// The demonstrations of an object: its `pairs`, or its columns.
+/// The demonstrations of an object: its `pairs` and `runs`, or its columns.
 fn states(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) {
     let place = |column: String, value: &RawValue| Place { column, text: value.get().to_owned() };
-    let mut states = Vec::new();
-    if let Some(pairs) = fields.get("pairs").filter(|_| mapping.pairs.is_empty()) {
-        let pairs: Vec<Fields<'_>> = match serde_json::from_str(pairs.get()) {
-            Ok(pairs) => pairs,
-            Err(_) => {
-                let mend = "it is a list: [{\"pre\": …, \"post\": …}]";
-                return draft
-                    .blame(Some("pairs"), Wrong::with_mend("this is no list of pairs", mend));
-            }
+    let own = |key: &str| fields.get(key).filter(|_| mapping.pairs.is_empty());
+    let mut shown = Vec::new();
+    let (pairs, runs) = (own("pairs"), own("runs"));
+    if let Some(pairs) = pairs {
+        let Some(pairs) = list::<Fields<'_>>(draft, ("pairs", "pre and post"), pairs) else {
+            return;
         };
-        if pairs.is_empty() || pairs.len() > MAX_PAIRS {
-            let wrong = format!("a row needs 1 to {MAX_PAIRS} pairs of pre and post");
-            return draft.blame(Some("pairs"), wrong);
-        }
         for (n, pair) in pairs.iter().enumerate() {
             let side = |side: &str| (format!("pairs[{n}].{side}"), pair.get(side));
             match (side("pre"), side("post")) {
                 ((pre, Some(before)), (post, Some(after))) => {
-                    states.push((place(pre, before), place(post, after)));
+                    shown.push(Shown::Pair(place(pre, before), place(post, after)));
                 }
                 ((name, None), _) | (_, (name, None)) => {
                     draft.blame(Some(&name), "the state is missing".to_owned());
                 }
             }
         }
-    } else {
-        let number = |n: usize| [format!("{PRE}{n}"), format!("{POST}{n}")];
-        let mapped = |States { pre, post }: &States| [pre.clone(), post.clone()];
-        let names: Vec<[String; 2]> = match mapping.pairs.as_slice() {
-            [] => (1..=MAX_PAIRS).map(number).collect(),
-            pairs => pairs.iter().take(MAX_PAIRS).map(mapped).collect(),
+    }
+    if let Some(runs) = runs {
+        let Some(runs) = list::<&RawValue>(draft, ("runs", "start and actions"), runs) else {
+            return;
         };
-        for [pre, post] in names {
-            let there = |name: &str| {
-                fields.get(name).filter(|value| plain(value.get()).ok().as_deref() != Some(""))
+        let runs = runs.iter().enumerate();
+        shown.extend(runs.map(|(n, run)| Shown::Run(place(format!("runs[{n}]"), run))));
+    }
+    if pairs.or(runs).is_none() {
+        shown = columns(fields, mapping, draft);
+    }
+    draft.show(shown);
+}
+
+/// A list under a key, of 1 to [`MAX_PAIRS`] objects that have what is named.
+fn list<'a, T: Deserialize<'a>>(
+    draft: &mut Draft,
+    (key, of): (&str, &str),
+    list: &'a RawValue,
+) -> Option<Vec<T>> {
+    let wrong = match serde_json::from_str::<Vec<T>>(list.get()) {
+        Ok(list) if (1..=MAX_PAIRS).contains(&list.len()) => return Some(list),
+        Ok(_) => Wrong::from(format!("a row needs 1 to {MAX_PAIRS} {key} of {of}")),
+        Err(_) => {
+            let mend = match key {
+                "pairs" => "it is a list: [{\"pre\": …, \"post\": …}]",
+                _ => "it is a list: [{\"start\": …, \"actions\": \"…\"}]",
             };
-            match (there(&pre), there(&post)) {
-                (Some(before), Some(after)) => {
-                    states.push((place(pre, before), place(post, after)));
-                }
-                (None, None) => {}
-                (Some(_), None) => draft.blame(Some(&post), "the state is missing".to_owned()),
-                (None, Some(_)) => draft.blame(Some(&pre), "the state is missing".to_owned()),
-            }
+            Wrong::with_mend(format!("this is no list of {key}"), mend)
         }
-        if states.is_empty() {
-            let known = some(fields.keys().map(|name| &**name));
-            let what = format!("the row has no states (found: {known})");
-            draft.blame(None, Wrong::with_mend(what, "give them in \"pairs\""));
+    };
+    draft.blame(Some(key), wrong);
+    None
+}
+
+/// The demonstrations that stand under the names of columns.
+fn columns(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) -> Vec<Shown> {
+    let place = |column: String, value: &RawValue| Place { column, text: value.get().to_owned() };
+    let mut shown = Vec::new();
+    let number = |n: usize| [format!("{PRE}{n}"), format!("{POST}{n}")];
+    let mapped = |States { pre, post }: &States| [pre.clone(), post.clone()];
+    let names: Vec<[String; 2]> = match mapping.pairs.as_slice() {
+        [] => (1..=MAX_PAIRS).map(number).collect(),
+        pairs => pairs.iter().take(MAX_PAIRS).map(mapped).collect(),
+    };
+    let there = |name: &str| {
+        fields.get(name).filter(|value| plain(value.get()).ok().as_deref() != Some(""))
+    };
+    for [pre, post] in names {
+        match (there(&pre), there(&post)) {
+            (Some(before), Some(after)) => {
+                shown.push(Shown::Pair(place(pre, before), place(post, after)));
+            }
+            (None, None) => {}
+            (Some(_), None) => draft.blame(Some(&post), "the state is missing".to_owned()),
+            (None, Some(_)) => draft.blame(Some(&pre), "the state is missing".to_owned()),
         }
     }
-    draft.show(states);
+    let runs = (1..=MAX_PAIRS).map(|n| format!("{RUN}{n}")).filter(|_| mapping.pairs.is_empty());
+    shown.extend(runs.filter_map(|run| Some(Shown::Run(place(run.clone(), there(&run)?)))));
+    if shown.is_empty() {
+        let known = some(fields.keys().map(|name| &**name));
+        let what = format!("the row has no states (found: {known})");
+        draft.blame(None, Wrong::with_mend(what, "give them in \"pairs\" or \"runs\""));
+    }
+    shown
 }
 
 /// A value as text: what is no list and no object; nothing for null.

@@ -10,6 +10,7 @@ pub mod example;
 pub mod admit;
 pub mod json;
 pub mod cell;
+pub mod run;
 pub mod formula;
 mod packed;
 pub mod source;

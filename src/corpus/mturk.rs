@@ -3,7 +3,7 @@
 
 use super::admit::{Options, decision, empty, something};
 use super::cells::Cells;
-use super::draft::{Draft, Found, Place};
+use super::draft::{Draft, Found, Place, Shown};
 use super::example::{Decision, Row};
 use super::flaw::{Flaw, Wrong, some};
 use super::formula::unguarded;
@@ -137,16 +137,18 @@ fn row(header: &Header, mut record: Record, options: &Options) -> Found {
         let (column, command) = command(header, &record);
         draft.say(column, command);
     }
-    let mut states = Vec::new();
+    let text = |at: usize| cell(Some(at)).and_then(something).unwrap_or_default();
+    let place = |at: usize| Place { column: header.name(at).to_owned(), text: text(at).to_owned() };
+    let mut shown = Vec::new();
+    // A row may have fewer demonstrations than the file has columns.
+    let runs = header.runs.iter().copied().filter(|&at| !is_bad(Some(at)) && !text(at).is_empty());
+    let runs: Vec<Shown> = runs.map(|at| Shown::Run(place(at))).collect();
     for &(pre, post) in &header.pairs {
-        let text = |at: usize| cell(Some(at)).and_then(something).unwrap_or_default();
-        let place =
-            |at: usize| Place { column: header.name(at).to_owned(), text: text(at).to_owned() };
         if is_bad(Some(pre)) || is_bad(Some(post)) {
             continue;
         }
-        if text(pre).is_empty() && text(post).is_empty() && !states.is_empty() {
-            continue; // a row may have fewer demonstrations than the file has columns
+        if text(pre).is_empty() && text(post).is_empty() && !(shown.is_empty() && runs.is_empty()) {
+            continue;
         }
         if record.cells.len() <= pre.max(post) {
             let (got, want) = (record.n_cells, header.columns.len());
@@ -154,9 +156,15 @@ fn row(header: &Header, mut record: Record, options: &Options) -> Found {
             draft.blame(Some(header.name(pre.max(post))), wrong);
             continue;
         }
-        states.push((place(pre), place(post)));
+        shown.push(Shown::Pair(place(pre), place(post)));
     }
-    draft.show(states);
+    shown.extend(runs);
+    if let (true, Some(&first), true) =
+        (shown.is_empty(), header.runs.first(), header.pairs.is_empty())
+    {
+        draft.blame(Some(header.name(first)), "the row shows nothing".to_owned());
+    }
+    draft.show(shown);
     let owned = |at: Option<usize>| cell(at).map(|cell| unguarded(cell).to_owned());
     (draft.id, draft.task, draft.worker) =
         (owned(header.id), owned(header.task), owned(header.worker));

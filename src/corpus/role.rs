@@ -8,6 +8,7 @@ pub(super) const COMMAND: &str = "Answer.command";
 pub(super) const FORM: &str = "Answer.taskAnswers";
 pub(super) const PRE: &str = "Input.pre_";
 pub(super) const POST: &str = "Input.post_";
+pub(super) const RUN: &str = "Input.run_";
 pub(super) const ID: &str = "AssignmentId";
 pub(super) const WORKER: &str = "WorkerId";
 pub(super) const STATUS: &str = "AssignmentStatus";
@@ -28,6 +29,7 @@ pub enum Role {
     Reason,
     Pre(usize),
     Post(usize),
+    Run(usize),
     Other,
 }
 
@@ -48,16 +50,17 @@ impl Role {
             STATUS => Role::Status,
             APPROVE => Role::Approve,
             REASON => Role::Reason,
-            _ => match (number(PRE), number(POST)) {
-                (Some(n), _) => Role::Pre(n),
-                (_, Some(n)) => Role::Post(n),
-                _ => Role::Other,
-            },
+            _ => {
+                let state =
+                    [(PRE, Role::Pre as fn(usize) -> Role), (POST, Role::Post), (RUN, Role::Run)];
+                let role = |(prefix, role): (&str, fn(usize) -> Role)| number(prefix).map(role);
+                state.into_iter().find_map(role).unwrap_or(Role::Other)
+            }
         }
     }
 
     /// Whether an example has a place of its own for it; the others are kept as they are.
     pub(super) const fn is_kept_apart(self) -> bool {
-        matches!(self, Role::Task | Role::Command | Role::Pre(_) | Role::Post(_))
+        matches!(self, Role::Task | Role::Command | Role::Pre(_) | Role::Post(_) | Role::Run(_))
     }
 }

@@ -3,7 +3,8 @@
 use super::admit::decision;
 use super::example::{Corpus, Decision, Example, Pair};
 use super::mapping::Mapping;
-use super::role::{APPROVE, COMMAND, POST, PRE, REASON, Role, STATUS, TASK};
+use super::role::{APPROVE, COMMAND, POST, PRE, REASON, RUN, Role, STATUS, TASK};
+use super::run;
 use crate::domain::State;
 use std::io::Write;
 
@@ -63,7 +64,12 @@ pub fn write_rows<'a>(
     let is_decided =
         |(example, decision): &(&Example, &Decision)| kept_decision(&own, example) != **decision;
     let missing = match columns {
-        [] => standard_columns(rows.clone().map(|(example, _)| example.pairs.len()).max()),
+        [] => {
+            let most = |count: fn(&Example) -> usize| {
+                rows.clone().map(|(example, _)| count(example)).max().unwrap_or(0)
+            };
+            standard_columns(most(|row| pairs(row).count()), most(|row| runs(row).count()))
+        }
         _ if rows.clone().any(|row| is_decided(&row)) => missing_columns(columns, &own),
         _ => Vec::new(),
     };
@@ -81,12 +87,13 @@ pub fn write_rows<'a>(
         for &role in &roles {
             let kept = if role.is_kept_apart() { None } else { rest.next() };
             let state = |n: usize, pick: fn(&Pair) -> &State| {
-                example.pairs.get(n - 1).map(|pair| pick(pair).write()).unwrap_or_default()
+                pairs(example).nth(n - 1).map(|pair| pick(pair).write()).unwrap_or_default()
             };
             let cell = match (role, kept) {
                 (Role::Task, _) => example.task.clone().unwrap_or_default(),
                 (Role::Pre(n), _) => state(n, |pair| &pair.pre),
                 (Role::Post(n), _) => state(n, |pair| &pair.post),
+                (Role::Run(n), _) => runs(example).nth(n - 1).unwrap_or_default(),
                 (Role::Command, _) => example.command.clone(),
                 (Role::Status | Role::Approve | Role::Reason, _) if is_decided => {
                     decided(role, decision).to_owned()
@@ -144,14 +151,25 @@ fn missing_columns(columns: &[String], roles: &[Role]) -> Vec<String> {
     wanted.into_iter().filter(lacks).map(|(name, _)| name.to_owned()).collect()
 }
 
-/// The platform's columns for so many demonstrations.
-fn standard_columns(n_pairs: Option<usize>) -> Vec<String> {
+/// Demonstrations whose way is not known.
+fn pairs(example: &Example) -> impl Iterator<Item = &Pair> {
+    example.pairs.iter().filter(|pair| pair.way.is_none())
+}
+
+/// The others, as cells.
+fn runs(example: &Example) -> impl Iterator<Item = String> {
+    example.pairs.iter().filter_map(|pair| run::write(&pair.pre, pair.way.as_deref()?))
+}
+
+/// The platform's columns for so many pairs and runs; for a pair where there is neither.
+fn standard_columns(n_pairs: usize, n_runs: usize) -> Vec<String> {
     let mut columns: Vec<String> = PLATFORM.iter().map(|&name| name.to_owned()).collect();
     columns.push(TASK.to_owned());
-    for i in 1..=n_pairs.unwrap_or(1) {
+    for i in 1..=if n_runs == 0 { n_pairs.max(1) } else { n_pairs } {
         columns.push(format!("{PRE}{i}"));
         columns.push(format!("{POST}{i}"));
     }
+    columns.extend((1..=n_runs).map(|i| format!("{RUN}{i}")));
     columns.extend([COMMAND, APPROVE, REASON].map(str::to_owned));
     columns
 }

@@ -14,6 +14,7 @@ pub mod leaps;
 pub mod generate;
 pub mod blueprint;
 pub mod text;
+pub mod way;
 
 pub use blueprint::{Blueprint, BlueprintError, Style};
 pub use cell::{Cell, cell_at};
@@ -27,3 +28,4 @@ pub use packing::{PackError, Packed};
 pub use rules::{Action, Chances, Form, Movable, NotAProbability, Rules};
 pub use state::{ReadError, State, StateError};
 pub use text::TextError;
+pub use way::{Way, letters, read_letters};

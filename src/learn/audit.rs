@@ -185,8 +185,11 @@ impl Audit {
         asked.next += 1;
         let Asked { parse, validator, .. } = asked;
         let Some(example) = self.examples.get(row as usize) else { return Outcome::Unread };
-        let pairs: Vec<PairId> =
-            example.pairs.iter().map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
+        let pairs: Vec<PairId> = example
+            .pairs
+            .iter()
+            .map(|pair| validator.shown(&pair.pre, &pair.post, pair.way.as_deref()))
+            .collect();
         let terms = &self.model.grammar.terms;
         let valid =
             parse.readings.iter().position(|reading| validator.valid(terms, reading.form, &pairs));

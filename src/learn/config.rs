@@ -26,6 +26,8 @@ pub struct Config {
     pub generations: u32,
     /// Whether commands that recur may become idioms when training is over.
     pub idioms: bool,
+    /// Whether the contrasts of runs are looked at.
+    pub contrasts: bool,
     /// Kinds of features that are done without.
     pub without: Kinds,
     /// The planner that the paper's Table III compares against; `None` learns as the paper does.
@@ -45,6 +47,7 @@ impl Default for Config {
             lexical_budget: 20_000,
             generations: 2,
             idioms: true,
+            contrasts: true,
             without: Kinds::NONE,
             planning: None,
         }
@@ -74,6 +77,7 @@ impl Config {
             lexical_budget: fact(model, "lexical_budget", default.lexical_budget),
             generations: fact(model, "generations", default.generations),
             idioms: fact(model, "idioms", default.idioms),
+            contrasts: fact(model, "contrasts", default.contrasts),
             without: model.facts.get("without").map(|names| kinds(names)).unwrap_or_default(),
             planning: None,
         }
@@ -94,6 +98,9 @@ impl Config {
             ("generations", self.generations.to_string()),
             ("idioms", self.idioms.to_string()),
         ];
+        if !self.contrasts {
+            facts.push(("contrasts", self.contrasts.to_string()));
+        }
         if !self.without.is_empty() {
             let names: Vec<&str> = self.without.iter().map(Kind::name).collect();
             facts.push(("without", names.join(" ")));

@@ -62,7 +62,11 @@ impl Observer {
             let n = all.len().min(REPRESENTATIVES);
             let spread = (0..n).filter_map(|i| all.get(i * all.len() / n));
             let pairs = spread.map(|example| {
-                example.pairs.iter().map(|pair| validator.pair(&pair.pre, &pair.post)).collect()
+                example
+                    .pairs
+                    .iter()
+                    .map(|pair| validator.shown(&pair.pre, &pair.post, pair.way.as_deref()))
+                    .collect()
             });
             let pairs: Vec<Vec<PairId>> = pairs.collect();
             tasks.insert(task.to_owned(), pairs);

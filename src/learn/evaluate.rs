@@ -7,7 +7,7 @@ use super::score::{Mark, Scores, Ties, Verdict};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::{Model, Parse, Reason, parse, probability};
 use crate::corpus::Example;
-use crate::ground::{Goal, PairId, Validator};
+use crate::ground::{Course, PairId, Validator};
 use crate::logic::{TermId, Terms};
 
 /// What judges a model's answers to the commands of one corpus.
@@ -62,8 +62,11 @@ impl Judge {
 /// Whether an answer, if there is one, does what an example shows.
 pub(super) fn verdict(terms: &Terms, form: Option<TermId>, example: &Example) -> Verdict {
     let mut validator = Validator::new();
-    let pairs: Vec<PairId> =
-        example.pairs.iter().map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
+    let pairs: Vec<PairId> = example
+        .pairs
+        .iter()
+        .map(|pair| validator.shown(&pair.pre, &pair.post, pair.way.as_deref()))
+        .collect();
     match form {
         None => Verdict::Silent,
         Some(form) if validator.valid(terms, form, &pairs) => Verdict::Right,
@@ -79,7 +82,8 @@ fn resolve(terms: &Terms, parse: &Parse, example: &Example) -> Option<TermId> {
     }
     let refers = |form: &TermId| {
         example.pairs.iter().all(|pair| {
-            Goal::new(terms, *form, &pair.pre).is_ok_and(|goal| goal.failures().is_empty())
+            let course = Course::new(terms, *form, &pair.pre);
+            course.is_ok_and(|course| course.guards().iter().all(|g| g.failures().is_empty()))
         })
     };
     let tied = parse.readings.iter().take(parse.tied()).map(|reading| reading.form);

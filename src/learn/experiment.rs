@@ -219,7 +219,12 @@ impl By {
 
 /// The runs of a cross-validation: for each of `n` folds, training on all others and judging on it.
 pub fn cross(corpus: &Arc<[Example]>, n: u32, by: By, config: &Config) -> Vec<Run> {
-    let keys = by.keys(corpus);
+    cross_by(corpus, n, &by.keys(corpus), config)
+}
+
+/// The same for whatever parts a corpus: rows with the same key, of which there is one a row, stay together. A fold
+/// that would judge nothing, or learn from nothing, is none.
+pub fn cross_by(corpus: &Arc<[Example]>, n: u32, keys: &[String], config: &Config) -> Vec<Run> {
     let run = |(number, Fold { train, test }): (usize, Fold)| Run {
         name: format!("fold {number}"),
         train: Selection::of(corpus, train),
@@ -227,7 +232,9 @@ pub fn cross(corpus: &Arc<[Example]>, n: u32, by: By, config: &Config) -> Vec<Ru
         config: config.clone(),
         paper_f1: None,
     };
-    (1..).zip(folds(&keys, n, config.seed)).map(run).collect()
+    let folds = folds(keys, n, config.seed).into_iter();
+    let folds = folds.filter(|fold| !fold.test.is_empty() && !fold.train.is_empty());
+    (1..).zip(folds).map(run).collect()
 }
 
 /// The rows of Table II for one set: all three, the first two, the first of each command's demonstrations, judged

@@ -8,8 +8,9 @@ use crate::ccg::chart::{Chart, ChartConfig, Derivations, Lexical, Step};
 use crate::ccg::factor::instantiate;
 use crate::ccg::lexicon::Lexeme;
 use crate::ccg::lookup::lexical_items;
+use crate::ccg::parse::is_goal;
 use crate::ccg::{Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId, closed};
-use crate::logic::{ConstantId, TyId, ty};
+use crate::logic::{ConstantId, TyId};
 use rustc_hash::FxHashSet;
 use std::rc::Rc;
 
@@ -36,6 +37,15 @@ pub enum Scope {
     UnknownWords,
     /// All: a known word may mean something else, too.
     AllWords,
+}
+
+/// What new entries may mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// What is so of states.
+    States,
+    /// What is so of runs, too: that is shown by runs alone.
+    Runs,
 }
 
 /// What lexical generation found for a sentence.
@@ -74,11 +84,11 @@ impl CoarseCharts {
 pub fn generate(
     model: &mut Model,
     words: &[String],
-    scope: Scope,
+    (scope, domain): (Scope, Domain),
     config: ChartConfig,
     charts: &mut CoarseCharts,
 ) -> Generated {
-    let templates = coarse_categories(model);
+    let templates = coarse_categories(model, domain);
     let empty = empty_candidates(model, words);
     let items = coarse_items(model, words, scope, &templates, &empty);
     let known = charts.0.iter().position(|known| known.items == items);
@@ -132,9 +142,14 @@ fn add(model: &mut Model, word: &str, template: TemplateId) -> Option<EntryId> {
 }
 
 /// Every template with placeholders in its holes; the empty one is no category.
-fn coarse_categories(model: &mut Model) -> Vec<(TemplateId, Category)> {
+fn coarse_categories(model: &mut Model, domain: Domain) -> Vec<(TemplateId, Category)> {
     let open = model.lexicon.open.keys().copied();
-    let ids: Vec<TemplateId> = open.filter(|&id| !model.lexicon.is_empty_template(id)).collect();
+    let fits = |id: TemplateId| {
+        let syntax = model.lexicon.template(id).syntax;
+        !model.lexicon.is_empty_template(id)
+            && (domain == Domain::Runs || !model.grammar.syntaxes.is_in_time(syntax))
+    };
+    let ids: Vec<TemplateId> = open.filter(|&id| fits(id)).collect();
     let mut coarse = Vec::with_capacity(ids.len());
     for id in ids {
         let holes = model.lexicon.holes(&model.grammar, id);
@@ -206,10 +221,7 @@ fn used_templates(
     templates: &[(TemplateId, Category)],
     useful: &mut Useful,
 ) -> Vec<(usize, usize, TemplateId)> {
-    let is_goal = |&edge: &u32| {
-        let category = chart.edge(edge).category;
-        category.syntax.is_sentence() && model.grammar.terms.ty(category.meaning) == ty::TRUTH
-    };
+    let is_goal = |&edge: &u32| is_goal(&model.grammar, chart.edge(edge));
     let mut used = Vec::new();
     for (start, end, edge) in chart.below(chart.roots().filter(is_goal)) {
         useful.insert((start, end, chart.edge(edge).category.syntax));

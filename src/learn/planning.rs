@@ -4,6 +4,7 @@
 //! deterministic world without pull, and the goal holds in the plan's last state and after. Nothing else in
 //! learning plans (invariant 5).
 
+use crate::corpus::{Example, Pair};
 use crate::domain::{Rules, State};
 use crate::ground::{Goal, PairId, Side, Task, Validator};
 use crate::logic::{TermId, Terms};
@@ -73,9 +74,30 @@ impl Validation {
         Validation { validator: Validator::new(), planner }
     }
 
-    /// Compiles a demonstration, or finds it again.
+    /// Compiles a pair of states, or finds it again.
     pub fn pair(&mut self, pre: &State, post: &State) -> PairId {
         self.validator.pair(pre, post)
+    }
+
+    /// Takes in the first so many demonstrations of an example, all where there is no limit, with or without the
+    /// contrasts of runs.
+    pub fn demonstrations(
+        &mut self,
+        example: &Example,
+        most: Option<u32>,
+        contrasts: bool,
+    ) -> Vec<PairId> {
+        let most = most.map_or(usize::MAX, |most| most as usize);
+        let shown = |Pair { pre, post, way }: &Pair| match way {
+            Some(way) if !contrasts => self.validator.shown(pre, post, Some(&way.alone())),
+            way => self.validator.shown(pre, post, way.as_deref()),
+        };
+        example.pairs.iter().take(most).map(shown).collect()
+    }
+
+    /// Whether a demonstration is a run.
+    pub fn is_run(&self, pair: PairId) -> bool {
+        self.validator.is_run(pair)
     }
 
     /// Whether a form explains all of the pairs; without pairs nothing does.

@@ -22,4 +22,8 @@ pub fn seed_model(lexicon: &str) -> Result<Model, LexiconError> {
 }
 
 /// The seed lexicon of the whole domain: what an English speaker brings to any command.
-pub const CLEANUP_LEXICON: &str = include_str!("../../assets/lexicon/cleanup.txt");
+pub const CLEANUP_LEXICON: &str = concat!(
+    include_str!("../../assets/lexicon/cleanup.txt"),
+    "\n",
+    include_str!("../../assets/lexicon/time.txt")
+);

@@ -52,8 +52,16 @@ pub struct Settings {
     pub generations: u32,
     /// Whether commands that recur may become idioms.
     pub idioms: bool,
+    /// Whether the contrasts of runs are looked at.
+    #[serde(default = "contrasts")]
+    pub contrasts: bool,
     /// Kinds of features that are done without.
     pub without: Vec<Kind>,
+}
+
+/// Settings that say nothing of contrasts look at them.
+const fn contrasts() -> bool {
+    true
 }
 
 impl Default for Settings {
@@ -71,6 +79,7 @@ impl Default for Settings {
             lexical_budget: paper.lexical_budget as u32,
             generations: paper.generations,
             idioms: paper.idioms,
+            contrasts: paper.contrasts,
             without: paper.without.iter().collect(),
         }
     }
@@ -111,6 +120,7 @@ impl Settings {
             lexical_budget: self.lexical_budget as usize,
             generations: self.generations,
             idioms: self.idioms,
+            contrasts: self.contrasts,
             without: self.without.iter().copied().collect(),
             planning: None,
         })

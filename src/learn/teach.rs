@@ -225,7 +225,8 @@ fn understands(model: &mut Model, examples: &[Example], demonstrations: usize) -
     let mut understands = |example: &Example| {
         let parse = parse(model, &example.command, ChartConfig::of(model));
         let pairs = example.pairs.iter().take(demonstrations);
-        let pairs: Vec<_> = pairs.map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
+        let pairs: Vec<_> =
+            pairs.map(|pair| validator.shown(&pair.pre, &pair.post, pair.way.as_deref())).collect();
         let answer = parse.answer();
         answer.is_some_and(|answer| validator.valid(&model.grammar.terms, answer.form, &pairs))
     };

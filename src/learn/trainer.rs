@@ -3,7 +3,7 @@
 
 use super::config::Config;
 use super::fingerprint::fingerprint;
-use super::genlex::{Candidate, CoarseCharts, Generated, Scope, generate};
+use super::genlex::{Candidate, CoarseCharts, Domain, Generated, Scope, generate};
 use super::gradient::update;
 use super::idioms::{Command, Idioms, SEARCH};
 use super::kept::{Kept, Read};
@@ -46,6 +46,8 @@ pub struct Trainer {
     items: Vec<Item>,
     n_examples: usize,
     validator: Validation,
+    /// Whether any demonstration is a run.
+    has_runs: bool,
     kept: Kept,
     /// What was read of the command at work, while nothing is learned that could change it.
     read: Option<Read>,
@@ -78,11 +80,10 @@ impl Trainer {
             model.facts.insert("horizon".to_owned(), horizon.to_string());
         }
         let mut validator = Validation::new(config.planning);
+        let has_runs = examples.iter().flat_map(|one| &one.pairs).any(|pair| pair.way.is_some());
         let mut items: IndexMap<Vec<String>, Vec<Vec<PairId>>, FxBuildHasher> = IndexMap::default();
         for example in examples {
-            let n_pairs = config.demonstrations.map_or(usize::MAX, |n| n as usize);
-            let pairs = example.pairs.iter().take(n_pairs);
-            let pairs = pairs.map(|pair| validator.pair(&pair.pre, &pair.post)).collect();
+            let pairs = validator.demonstrations(example, config.demonstrations, config.contrasts);
             items.entry(words(&example.command)).or_default().push(pairs);
         }
         let items: Vec<Item> =
@@ -96,6 +97,7 @@ impl Trainer {
             items,
             n_examples: examples.len(),
             validator,
+            has_runs,
             order: Vec::new(),
             epoch: 0,
             next: 0,
@@ -388,6 +390,12 @@ impl Trainer {
         }
     }
 
+    /// What pairs of states alone show tells of no task over time.
+    fn chart_config(&self, beam: u32, budget: usize) -> ChartConfig {
+        let in_time = self.has_runs;
+        ChartConfig { beam: beam as usize, budget, in_time, ..ChartConfig::default() }
+    }
+
     /// Lexical generation for a sentence that the lexicon cannot explain: the candidates that the best valid parse
     /// uses become entries.
     pub(super) fn generate(&mut self, at: usize, example: usize, scope: Scope) {
@@ -395,8 +403,11 @@ impl Trainer {
         if !can_parse(words) {
             return;
         }
-        let config = chart_config(self.config.lexical_beam, self.config.lexical_budget);
-        let generated = generate(&mut self.model, words, scope, config, &mut self.coarse);
+        let config = self.chart_config(self.config.lexical_beam, self.config.lexical_budget);
+        let pairs = &self.items[at].examples[example];
+        let shows_run = pairs.iter().any(|&pair| self.validator.is_run(pair));
+        let may = (scope, if shows_run { Domain::Runs } else { Domain::States });
+        let generated = generate(&mut self.model, words, may, config, &mut self.coarse);
         let is_new = |&id: &EntryId| self.model.lexicon.is_candidate(id);
         if generated.candidates.is_empty() && !generated.empty.iter().flatten().any(is_new) {
             return;
@@ -424,6 +435,7 @@ impl Trainer {
     /// A parse with lexicon and candidates. Phrases that denote nothing before the demonstrations, and categories
     /// that lead nowhere, are left out.
     fn parse_with(&mut self, at: usize, example: usize, generated: &Generated) -> Parse {
+        let config = self.chart_config(self.config.beam, self.config.lexical_budget);
         let Item { words, examples } = &self.items[at];
         let pairs = &examples[example];
         let mut items = lexical_items(&self.model, words);
@@ -442,8 +454,6 @@ impl Trainer {
                 && (!(is(Atom::N) || is(Atom::NP))
                     || validator.denotes(&grammar.terms, category.meaning, pairs))
         };
-        let Config { beam, lexical_budget, .. } = self.config;
-        let config = chart_config(beam, lexical_budget);
         fill_knowing(&mut self.model, self.kept.goals(), words, items, admit, config)
     }
 
@@ -480,13 +490,9 @@ impl Trainer {
         if !can_parse(words) {
             return (Vec::new(), false);
         }
-        let config = chart_config(self.config.beam, self.config.budget);
+        let config = self.chart_config(self.config.beam, self.config.budget);
         self.kept.read(at, &mut self.model, words, config)
     }
-}
-
-fn chart_config(beam: u32, budget: usize) -> ChartConfig {
-    ChartConfig { beam: beam as usize, budget, ..ChartConfig::default() }
 }
 
 fn can_parse(words: &[String]) -> bool {

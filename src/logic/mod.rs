@@ -6,6 +6,7 @@ pub mod signature;
 pub mod term;
 pub mod sort;
 mod reduce;
+mod time;
 pub mod read;
 mod origin;
 pub mod expression;

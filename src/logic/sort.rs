@@ -56,7 +56,7 @@ impl Sorts {
                     _ => "",
                 };
                 // What is denied, or one of several, is no claim about the variables; but it could have been true.
-                if name == "not" || name == "or" {
+                if ["not", "or", "any"].contains(&name) {
                     return args.iter().any(|&arg| self.check(terms, arg, &mut around.clone()));
                 }
                 let sets = self.arguments.get(name);

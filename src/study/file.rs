@@ -348,7 +348,7 @@ impl Showing {
     /// The pair of states that it is about.
     pub fn pair(&self) -> Pair {
         match self {
-            Showing::Pair { pre, post } => Pair { pre: pre.clone(), post: post.clone() },
+            Showing::Pair { pre, post } => Pair::of(pre.clone(), post.clone()),
         }
     }
 
@@ -368,7 +368,8 @@ impl Showing {
 }
 
 impl From<Pair> for Showing {
-    fn from(Pair { pre, post }: Pair) -> Showing {
+    /// Of a run what it begins and ends with: a study shows states.
+    fn from(Pair { pre, post, .. }: Pair) -> Showing {
         Showing::Pair { pre, post }
     }
 }

@@ -7,6 +7,7 @@
 
 pub mod tasks;
 pub mod pairs;
+mod runs;
 mod world;
 pub mod url;
 pub mod file;

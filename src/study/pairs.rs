@@ -1,14 +1,16 @@
-//! Pairs of states for a study: a seeded world that fulfils what a task asks of it, and the end of a shortest plan to
+//! Demonstrations for a study: a seeded world that fulfils what a task asks of it, and the end of a shortest plan to
 //! its goal in which only what the command says to move is moved. Each pair is checked by the goal evaluator, and
 //! together they are drawn so that a nearby reading (another task's goal, or one that the task is unlike) does not
-//! explain them all. Invariant: a pure function of tasks, name, number of pairs and seed.
+//! explain them all. A task over time is shown by the whole run (see `runs`). Invariant: a pure function of tasks, name, number of pairs and seed.
 
+use super::runs;
 use super::tasks::StudyTask;
 use super::world::world;
 use crate::corpus::Pair;
 use crate::domain::{Movable, Rules, State};
-use crate::ground::{Entity, Goal, Task};
-use crate::logic::{TermId, Terms, read};
+use crate::ground::{Entity, Goal, Task, Validator, lesser};
+use crate::logic::ty::RUN;
+use crate::logic::{TermId, Terms, print, read};
 use crate::mdp::{Budget, Outcome, Settings, Solver};
 use crate::plan::AStar;
 use rand::SeedableRng;
@@ -73,6 +75,8 @@ pub struct Drawing {
 #[derive(Debug)]
 struct Forms {
     goal: TermId,
+    /// For a task over time what asks for less; `None` for a goal of states.
+    lesser: Option<Vec<TermId>>,
     before: Vec<TermId>,
     /// The goal with what holds after besides: where a plan is to end.
     end: TermId,
@@ -134,9 +138,22 @@ impl Drawing {
                 open.push(Reading { term, name: name.clone(), is_near });
             }
         }
+        let lesser = (terms.ty(goal) == RUN).then(|| lesser(&mut terms, goal));
+        for &term in lesser.iter().flatten() {
+            // What asks for less than a task is near to it.
+            match open.iter_mut().find(|known| known.term == term) {
+                Some(known) => known.is_near = true,
+                None => open.push(Reading { term, name: print(&terms, term), is_near: true }),
+            }
+        }
+        let mut term = |form: &str| read(&mut terms, form).map_err(|e| bad(e.to_string()));
         let before = task.before.iter().map(|f| term(f)).collect::<Result<_, _>>()?;
-        let end = term(&format!("(and:<t*,t> {} {})", task.goal, task.after.join(" ")))?;
-        let forms = Forms { goal, before, end };
+        let end = match (&lesser, &task.after[..]) {
+            (Some(_), []) => goal,
+            (Some(_), _) => return Err(bad("what is so after a run is said by its goal".into())),
+            (None, after) => term(&format!("(and:<t*,t> {} {})", task.goal, after.join(" ")))?,
+        };
+        let forms = Forms { goal, lesser, before, end };
         let rng = Pcg64Mcg::seed_from_u64(mixed(seed, name));
         let task = task.clone();
         Ok(Self { task, terms, forms, open, rng, n, pairs: Vec::new(), next: Search::default() })
@@ -184,8 +201,13 @@ impl Drawing {
     }
 }
 
-/// Whether a form is false before and true after, its references bound before.
+/// Whether a form is false before and true after, its references bound before; a run is to show it.
 fn explains(terms: &Terms, form: TermId, pair: &Pair) -> bool {
+    if let Some(way) = &pair.way {
+        let mut validator = Validator::new();
+        let shown = validator.shown(&pair.pre, &pair.post, Some(way));
+        return validator.valid(terms, form, &[shown]);
+    }
     Goal::new(terms, form, &pair.pre).is_ok_and(|g| !g.holds(&pair.pre) && g.holds(&pair.post))
 }
 
@@ -198,6 +220,17 @@ fn pair(
 ) -> Result<Pair, &'static str> {
     let pre = world(task, rng)?;
     let bind = |form| Goal::new(terms, form, &pre).map_err(|_| "a form is too large");
+    if let Some(lesser) = &forms.lesser {
+        for &form in &forms.before {
+            if !bind(form)?.holds(&pre) {
+                return Err("it does not begin as it should");
+            }
+        }
+        let settings = Settings { budget: BUDGET, ..Settings::default() };
+        let pair = runs::draw(terms, (forms.goal, lesser), pre, settings, &ACTIONS)?;
+        let shows = explains(terms, forms.goal, &pair);
+        return if shows { Ok(pair) } else { Err("its plan misses its goal") };
+    }
     let bound = bind(forms.goal)?;
     if !bound.failures().is_empty() {
         return Err("a phrase of its goal does not refer");
@@ -221,7 +254,7 @@ fn pair(
         return Err("its goal is too near or too far");
     }
     let post = problem.replay(&plan.actions).pop().unwrap_or_else(|| pre.clone());
-    let pair = Pair { pre, post };
+    let pair = Pair::of(pre, post);
     if explains(terms, forms.goal, &pair) { Ok(pair) } else { Err("its plan misses its goal") }
 }
 

@@ -103,6 +103,7 @@ impl Review {
             decision: row.decision.clone(),
             pairs: row.answer.pairs.iter().map(super::file::Showing::pair).collect(),
             rest: rest(row),
+            keys: Cells::default(),
         };
         self.rows.iter().map(example).collect()
     }

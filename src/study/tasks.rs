@@ -1,8 +1,11 @@
 //! The tasks of a study as a text that a person can read and change; its own head says what each line means.
-//! Invariant: the goal of a task that was read is a goal of Cleanup World, and so is every other form of it.
+//! Invariant: the goal of a task that was read is a goal of Cleanup World or a task over
+//! time, and so is what it is unlike; every other form of it is a goal.
 
 use crate::domain::{Color, Shape, Size};
+use crate::ground::Outline;
 use crate::ground::goal::check;
+use crate::logic::ty::RUN;
 use crate::logic::{Terms, print, read};
 use std::str::FromStr;
 
@@ -147,15 +150,53 @@ fn complete(task: Option<&StudyTask>, line: usize) -> Result<(), TaskFileError> 
 }
 
 impl StudyTask {
+    /// A task for a form alone: in four rooms, or as many as it takes for the colours that it names, with a thing of
+    /// each shape that it names, or one to be in the way.
+    ///
+    /// # Errors
+    /// Why the form is no goal.
+    pub fn of(text: &str) -> Result<StudyTask, String> {
+        let goal = task(text)?;
+        let mut terms = Terms::new();
+        let term = read(&mut terms, &goal).map_err(|e| e.to_string())?;
+        let constants = terms.constants(term);
+        let says = |name: &str| constants.iter().any(|&constant| terms.name(constant) == name);
+        let usual = [Color::Red, Color::Green, Color::Blue, Color::Yellow];
+        let named = Color::ALL.iter().copied().filter(|color| says(color.name()));
+        let mut colors: Vec<Color> = named.collect();
+        let more: Vec<Color> = usual.into_iter().filter(|c| !colors.contains(c)).collect();
+        colors.extend(more.into_iter().take(usual.len().saturating_sub(colors.len())));
+        colors.truncate(*N_ROOMS.end());
+        let shapes = Shape::ALL.iter().copied().filter(|shape| says(shape.name()));
+        let look = |shape| Look { paint: Paint::Any, shape, size: None };
+        let mut things: Vec<Look> = shapes.map(look).take(MAX_THINGS).collect();
+        if things.is_empty() {
+            things.push(look(Shape::Block));
+        }
+        let saying = Saying { voice: None, words: goal.clone() };
+        Ok(StudyTask {
+            name: "goal".to_owned(),
+            says: vec![saying],
+            goal,
+            before: Vec::new(),
+            after: Vec::new(),
+            rooms: colors.into_iter().map(Paint::Is).collect(),
+            things,
+            apart: says("size"),
+            doorway: false,
+            unlike: Vec::new(),
+        })
+    }
+
     /// Takes a line of the task.
     fn line(&mut self, word: &str, rest: &str) -> Result<(), String> {
         match word {
             "says" => self.says(saying(rest)?)?,
-            "goal" if self.goal.is_empty() => self.goal = form(rest)?,
+            "goal" if self.goal.is_empty() => self.goal = task(rest)?,
             "goal" => return Err("a second `goal`: leave one out".into()),
             "before" => self.before.push(form(rest)?),
             "after" => self.after.push(form(rest)?),
-            "unlike" => self.unlike.push(form(rest)?),
+            "unlike" => self.unlike.push(task(rest)?),
             "rooms" => self.rooms = colors(rest)?,
             "apart" if rest.is_empty() => self.apart = true,
             "doorway" if rest.is_empty() => self.doorway = true,
@@ -199,6 +240,18 @@ fn saying(text: &str) -> Result<Saying, String> {
         return Err("`says` needs words".into());
     }
     Ok(Saying { voice: voice.map(str::to_owned), words: words.to_owned() })
+}
+
+/// A form in its normal form, if it is a goal or a task over time.
+fn task(text: &str) -> Result<String, String> {
+    let mut terms = Terms::new();
+    let term = read(&mut terms, text).map_err(|e| e.to_string())?;
+    if terms.ty(term) != RUN {
+        return form(text);
+    }
+    let outline = Outline::new(&terms, term).map_err(|e| e.to_string())?;
+    outline.guards().iter().try_for_each(|&goal| check(&terms, goal)).map_err(|e| e.to_string())?;
+    Ok(print(&terms, term))
 }
 
 /// A form in its normal form, if it is a goal.

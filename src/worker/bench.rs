@@ -130,8 +130,11 @@ impl Learner {
         let model = audit.model_mut();
         let parse = parsed(model, &example.command);
         let mut validator = Validator::new();
-        let ids: Vec<PairId> =
-            example.pairs.iter().map(|Pair { pre, post }| validator.pair(pre, post)).collect();
+        let ids: Vec<PairId> = example
+            .pairs
+            .iter()
+            .map(|pair| validator.shown(&pair.pre, &pair.post, pair.way.as_deref()))
+            .collect();
         let before = example.pairs.first().map(|pair| pair.pre.clone());
         let readings = before.iter().flat_map(|before| {
             let some: Vec<_> = shown(&parse).collect();
@@ -173,7 +176,7 @@ fn example(sheet: &Sheet, row: usize) -> Result<&Example, String> {
 }
 
 fn pairs(example: &Example) -> Vec<PairText> {
-    let pair = |Pair { pre, post }: &Pair| PairText { pre: pre.clone(), post: post.clone() };
+    let pair = |Pair { pre, post, .. }: &Pair| PairText { pre: pre.clone(), post: post.clone() };
     example.pairs.iter().map(pair).collect()
 }
 

@@ -224,7 +224,7 @@ fn taught(Taught { mut model, entries, understood }: Taught, lessons: &[Lesson])
 }
 
 fn example(lesson: Lesson) -> Example {
-    let pairs = lesson.pairs.into_iter().map(|PairText { pre, post }| Pair { pre, post });
+    let pairs = lesson.pairs.into_iter().map(|PairText { pre, post }| Pair::of(pre, post));
     Example {
         id: "taught".to_owned(),
         line: 0,
@@ -234,5 +234,6 @@ fn example(lesson: Lesson) -> Example {
         decision: Decision::Open,
         pairs: pairs.collect(),
         rest: Cells::default(),
+        keys: Cells::default(),
     }
 }

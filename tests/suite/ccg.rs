@@ -131,7 +131,7 @@ fn shifts_make_modifiers_of_prepositional_phrases_and_definites_of_bare_nouns() 
     ] {
         let category = category(&mut grammar, from);
         let shifted: Vec<String> = grammar
-            .shifted(category)
+            .shifted(category, false)
             .iter()
             .map(|&(rule, to)| {
                 let name = grammar.rule_name(rule);

@@ -103,7 +103,7 @@ fn pair(task: &str, k: usize, seed: u64) -> Option<Pair> {
         })
         .collect();
     let post = goals.get(usize::try_from(seed).ok()?.checked_rem(goals.len())?)?.clone();
-    start_is_good.then_some(Pair { pre, post })
+    start_is_good.then_some(Pair::of(pre, post))
 }
 
 /// Every short form: a relation of the robot to something that is described in one or two words.
@@ -200,6 +200,7 @@ fn make() -> Corpus {
             decision: Decision::Open,
             pairs,
             rest: Cells::default(),
+            keys: Cells::default(),
         });
     }
     Corpus { examples, ..Corpus::default() }

@@ -98,7 +98,7 @@ fn another_order_of_examples_learns_as_well() {
 
 /// An example with the demonstrations of one of the six.
 fn example(command: &str, pairs: Vec<Pair>) -> Example {
-    let (task, worker, rest) = (None, None, Cells::default());
+    let (task, worker) = (None, None);
     Example {
         id: command.to_owned(),
         line: 0,
@@ -107,7 +107,8 @@ fn example(command: &str, pairs: Vec<Pair>) -> Example {
         worker,
         decision: Decision::Open,
         pairs,
-        rest,
+        rest: Cells::default(),
+        keys: Cells::default(),
     }
 }
 
@@ -115,9 +116,9 @@ fn example(command: &str, pairs: Vec<Pair>) -> Example {
 fn from_what_makes_no_sense_nothing_is_learned() {
     let six = six();
     let pairs = &six[0].pairs;
-    let still = pairs.iter().map(|p| Pair { pre: p.pre.clone(), post: p.pre.clone() }).collect();
+    let still = pairs.iter().map(|p| Pair::of(p.pre.clone(), p.pre.clone())).collect();
     let there_and_back =
-        pairs.iter().flat_map(|p| [p.clone(), Pair { pre: p.post.clone(), post: p.pre.clone() }]);
+        pairs.iter().flat_map(|p| [p.clone(), Pair::of(p.post.clone(), p.pre.clone())]);
     let nonsense = [
         example("", pairs.clone()),
         example("🤖 …", pairs.clone()),

@@ -128,7 +128,7 @@ fn worlds_begin_and_end_as_asked() {
         [said(Some("one"), "To the bag with you."), said(Some("two"), "Stand by the bag.")]
     );
     let Drawn { pairs, .. } = draw(&tasks, "bag", 4, 1).unwrap();
-    for Pair { pre, post } in pairs {
+    for Pair { pre, post, .. } in pairs {
         let room = |state: &State| {
             let at = |b: &Bounds| {
                 let (x, y) = (state.agent.x, state.agent.y);
@@ -311,7 +311,7 @@ fn the_command_refuses_in_a_line() {
     std::fs::write(&bad, "task a\n").unwrap();
     let bad = bad.to_str().unwrap();
     for (arguments, expected) in [
-        (&["--pairs", "3"][..], "--tasks FILE|all is missing"),
+        (&["--pairs", "3"][..], "--tasks FILE|all is missing, or --goal FORM"),
         (&["--tasks", "all", "--pairs", "0"], "--pairs 0: use 1 to 100"),
         (&["--tasks", "all", "--pairs", "x"], "cannot parse"),
         (&["--tasks", "all", "--seed", "-1"], "cannot parse"),

@@ -3,6 +3,8 @@
 
 #[path = "time/commands.rs"]
 mod commands;
+#[path = "time/shown.rs"]
+mod shown;
 #[path = "time/plans.rs"]
 mod plans;
 

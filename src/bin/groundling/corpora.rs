@@ -18,6 +18,8 @@ const MAX_TOLD: usize = 20;
 pub(crate) struct Loaded {
     pub(crate) examples: Vec<Example>,
     pub(crate) rows: Rows,
+    /// For every example what it says under the key that was asked for.
+    pub(crate) values: Vec<Option<String>>,
 }
 
 /// What became of rows.
@@ -59,6 +61,11 @@ pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Loaded,
     mapped(files, &Options { with_rejected, ..Options::default() })
 }
 
+/// The same, with what every row says under a key.
+pub(crate) fn keyed(files: &[PathBuf], with_rejected: bool, key: &str) -> Result<Loaded, Failure> {
+    all(files, &Options { with_rejected, ..Options::default() }, Some(key))
+}
+
 /// The mapping of columns in a file.
 pub(crate) fn mapping(path: &Path) -> Result<Mapping, Failure> {
     Mapping::read(&text(path)?)
@@ -67,6 +74,10 @@ pub(crate) fn mapping(path: &Path) -> Result<Mapping, Failure> {
 
 /// The same, with what is to be taken of the files.
 pub(crate) fn mapped(files: &[PathBuf], options: &Options) -> Result<Loaded, Failure> {
+    all(files, options, None)
+}
+
+fn all(files: &[PathBuf], options: &Options, key: Option<&str>) -> Result<Loaded, Failure> {
     let mut all = Loaded::default();
     for path in files {
         let failed = |source| Failure::Input { path: path.clone(), source };
@@ -95,6 +106,10 @@ pub(crate) fn mapped(files: &[PathBuf], options: &Options) -> Result<Loaded, Fai
         }
         tell(path, &flaws, rows);
         all.rows.add(rows);
+        if let Some(key) = key {
+            let value = |example| corpus.value(example, key).map(str::to_owned);
+            all.values.extend(corpus.examples.iter().map(value));
+        }
         all.examples.extend(corpus.examples);
     }
     Ok(all)

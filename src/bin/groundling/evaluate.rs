@@ -53,7 +53,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     if corpus.is_empty() {
         return Err(missing("--corpus FILE"));
     }
-    let Loaded { examples, rows } = examples(&corpus, with_rejected)?;
+    let Loaded { examples, rows, .. } = examples(&corpus, with_rejected)?;
     let started = Instant::now();
     let config = ChartConfig::of(&model);
     let mut evaluation = Evaluation::new(&mut model, &examples, config);

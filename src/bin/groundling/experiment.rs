@@ -35,7 +35,8 @@ pub(crate) const COMMAND: Command = Command {
               \x20 cross          cross-validation\n\
               \x20   --corpus FILE…\n\
               \x20   --folds N               parts of the corpus (5)\n\
-              \x20   --by KIND               what stays together: command, row or task (command)\n\
+              \x20   --by KIND               what stays together: command, row, task, worker,\n\
+              \x20                           or the rows with the same value of a key (command)\n\
               \x20   --fold K…               only these folds, from 1\n\
               \x20 plan           a file of JSON that repeats runs exactly\n\
               \x20   --corpus FILE… [--held-out FILE…]\n\

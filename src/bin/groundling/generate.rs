@@ -1,4 +1,4 @@
-//! `generate`: tasks in, pairs of states out, or a whole study; or worlds from a blueprint.
+//! `generate`: tasks in, demonstrations out, pairs of states or runs, or a whole study; or worlds from a blueprint.
 
 use super::command::{Command, Done, Failure};
 use super::corpora::text;
@@ -12,16 +12,19 @@ use std::io::{self, BufWriter, Write};
 
 pub(crate) const COMMAND: Command = Command {
     name: "generate",
-    about: "Draw pairs of states for the tasks of a study, or worlds",
-    usage: "--tasks FILE|all [--pairs N] [--seed N] [--json] | --study NAME [OPTIONS] | --worlds N [OPTIONS]",
+    about: "Draw pairs of states or runs for the tasks of a study, or worlds",
+    usage: "--tasks FILE|all [--pairs N] | --goal FORM [--runs N] | --study NAME [OPTIONS] | --worlds N [OPTIONS]",
     details: "  --tasks FILE|all  a file of tasks, or the 23 of the corpus\n\
-              \x20 --pairs N         pairs for each command (3)\n\
+              \x20 --pairs N         pairs for each command, or runs where its goal is a task over time (3)\n\
+              \x20 --goal FORM       one task: a row with runs if it speaks of time, with pairs otherwise\n\
+              \x20 --runs N          runs of the row, the same as --pairs (3)\n\
               \x20 --seed N          of everything that is drawn (0)\n\
               \x20 --json            JSON lines instead of batch-results CSV\n\
               \n\
               A row a command: its task's name, the voice, its own pairs. Where a task has no voices, one way to say it\n\
-              stands in the command's column, until people have said theirs. What the pairs of a row leave open is told\n\
-              on standard error.\n\
+              stands in the command's column, until people have said theirs (for a goal, the form). A run has contrasts:\n\
+              what a robot would do without one of the task's steps or constraints, where that is not the task. What\n\
+              the demonstrations of a row leave open, and runs without a contrast, are told on standard error.\n\
               \n\
               \x20 --study NAME      a study as one file instead, for collect.html: an item a task, 5 pairs each\n\
               \x20 --from CORPUS     an item a row of a corpus instead, with the row's own pairs\n\
@@ -43,8 +46,11 @@ pub(crate) const COMMAND: Command = Command {
 #[derive(Default)]
 struct Options {
     tasks: Option<OsString>,
+    goal: Option<String>,
     worlds: Option<u64>,
     pairs: Option<usize>,
+    /// What their number was called.
+    shown: &'static str,
     seed: u64,
     json: bool,
     study: Wanted,
@@ -62,7 +68,11 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         match name.as_str() {
             "seed" => options.seed = arguments.value()?.parse()?,
             "tasks" => options.tasks = Some(arguments.value()?),
-            "pairs" => options.pairs = Some(arguments.value()?.parse()?),
+            "goal" => options.goal = Some(arguments.value()?.string()?),
+            "pairs" | "runs" => {
+                options.pairs = Some(arguments.value()?.parse()?);
+                options.shown = if name == "runs" { "runs" } else { "pairs" };
+            }
             "json" => options.json = true,
             "study" => options.study.name = Some(arguments.value()?.parse()?),
             "from" => options.study.corpus.push(arguments.value()?.into()),
@@ -80,7 +90,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
         match name.as_str() {
             "seed" | "json" => {}
-            "tasks" | "pairs" | "study" | "from" | "rehearsed" | "settings" => {
+            "tasks" | "goal" | "pairs" | "runs" | "study" | "from" | "rehearsed" | "settings" => {
                 of_pairs = Some(name);
             }
             _ => of_worlds = Some(name),
@@ -108,14 +118,24 @@ fn tasks(file: &OsStr) -> Result<Vec<StudyTask>, Failure> {
 
 /// Pairs for the tasks of a study.
 fn pairs(options: &Options) -> Result<Done, Failure> {
-    let missing = || Failure::Usage("--tasks FILE|all is missing, or --worlds N".into());
-    let file = options.tasks.as_ref().ok_or_else(missing)?;
     let n = options.pairs.unwrap_or(3);
     if !(1..=MAX_PAIRS).contains(&n) {
-        return Err(Failure::Usage(format!("--pairs {n}: use 1 to {MAX_PAIRS}")));
+        return Err(Failure::Usage(format!("--{} {n}: use 1 to {MAX_PAIRS}", options.shown)));
     }
-    let place = file.to_string_lossy();
-    let tasks = tasks(file)?;
+    let (place, tasks) = match (&options.tasks, &options.goal) {
+        (Some(file), None) => (file.to_string_lossy(), tasks(file)?),
+        (None, Some(goal)) => {
+            let task = StudyTask::of(goal).map_err(|e| Failure::Usage(format!("--goal: {e}")))?;
+            ("--goal".into(), vec![task])
+        }
+        (Some(_), Some(_)) => {
+            return Err(Failure::Usage("--tasks and --goal: leave one out".into()));
+        }
+        (None, None) => {
+            let missing = "--tasks FILE|all is missing, or --goal FORM, or --worlds N";
+            return Err(Failure::Usage(missing.into()));
+        }
+    };
     let mut corpus = Corpus::default();
     let mut error = io::stderr();
     for task in &tasks {
@@ -132,6 +152,11 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
                 let open = drawn.open.join(", ");
                 let _ = writeln!(error, "{id}: with {n} a task this stays open: {open}");
             }
+            for (number, pair) in (1..).zip(&drawn.pairs) {
+                if pair.way.as_ref().is_some_and(|way| way.contrasts.is_empty()) {
+                    let _ = writeln!(error, "{id}: run {number} has no contrast");
+                }
+            }
             corpus.examples.push(Example {
                 id,
                 line: 0,
@@ -141,6 +166,7 @@ fn pairs(options: &Options) -> Result<Done, Failure> {
                 decision: Decision::Open,
                 pairs: drawn.pairs,
                 rest: Cells::default(),
+                keys: Cells::default(),
             });
         }
     }

@@ -31,6 +31,7 @@ pub(crate) const COMMAND: Command = Command {
               \x20 --without KIND…       do without features: lexeme, template, entry, rule, pair, conjoined, alone, head\n\
               \x20 --lexicon FILE        the seed lexicon (that of the whole domain)\n\
               \x20 --without-idioms      give no whole command a meaning of its own\n\
+              \x20 --without-contrasts   look at no contrasts of runs: at what was done alone\n\
               \x20 --doubt MAP           how far its answers can be trusted, as `calibrate` learned it\n\
               \x20 --held-out FILE…      score every epoch's model on these corpora\n\
               \x20 --checkpoint FILE     keep a file to go on from, after each epoch\n\
@@ -82,7 +83,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
     if let Some(path) = &options.into {
         return into(path, &loaded, &options, &out);
     }
-    let Loaded { examples: training, rows } = loaded;
+    let Loaded { examples: training, rows, .. } = loaded;
     let held_out = mapped(&options.held_out, &admitted)?.examples;
     let doubt = options.doubt.as_deref().map(doubt_of).transpose()?;
     let started = Instant::now();
@@ -151,7 +152,7 @@ fn doubt_of(path: &Path) -> Result<Doubt, Failure> {
 
 /// Teaches a finished model a few examples besides.
 fn into(path: &Path, loaded: &Loaded, options: &Options, out: &Output) -> Result<Done, Failure> {
-    let Loaded { examples, rows } = loaded;
+    let Loaded { examples, rows, .. } = loaded;
     let model = model(path)?;
     let started = Instant::now();
     let demonstrations = options.config.demonstrations;
@@ -239,6 +240,7 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
                 options.config.without = kinds?.into_iter().collect();
             }
             Long("without-idioms") => options.config.idioms = false,
+            Long("without-contrasts") => options.config.contrasts = false,
             Long("seed") => options.config.seed = arguments.value()?.parse()?,
             other => return Err(other.unexpected().into()),
         }

@@ -45,7 +45,7 @@ for (const [name, viewport, colorScheme] of LOOKS) {
 flow('all of the workbench is reached by keyboard', async (t) => {
   const demo = await openTrain(t);
   await demo.by('tab-data').focus();
-  for (const part of ['run', 'experiments', 'lexicon', 'kept', 'data']) {
+  for (const part of ['run', 'experiments', 'lexicon', 'study', 'kept', 'data']) {
     await demo.page.keyboard.press('ArrowRight');
     await t.check(async () => (await demo.by(`tab-${part}`).getAttribute('aria-selected')) === 'true', part);
   }
@@ -65,7 +65,7 @@ flow('all of the workbench is reached by keyboard', async (t) => {
   await demo.page.keyboard.press('Enter');
   await demo.by('six-found').waitFor({ timeout: 60_000 });
   await demo.by('tab-experiments').focus();
-  for (const part of ['lexicon', 'kept']) {
+  for (const part of ['lexicon', 'study', 'kept']) {
     await demo.page.keyboard.press('ArrowRight');
     await t.check(async () => (await demo.by(`tab-${part}`).getAttribute('aria-selected')) === 'true', part);
   }

@@ -115,14 +115,21 @@ fn derive(
             }
         }
     }
-    for base in found.clone() {
-        for (rule, category) in model.grammar.shifted(base.category) {
-            if !model.grammar.fits(category.meaning) {
+    for late in [false, true] {
+        for base in found.clone() {
+            let is_plain = !matches!(base.made, Made::ByShift | Made::ByTask);
+            if !late && !is_plain {
                 continue;
             }
-            let own = step(model, rule, &[base.category.meaning], category.meaning);
-            let score = base.score + own;
-            found.push(Derived { category, made: Made::ByShift, score });
+            let made = if late && is_plain { Made::ByTask } else { Made::ByShift };
+            for (rule, category) in model.grammar.shifted(base.category, late) {
+                if !model.grammar.fits(category.meaning) {
+                    continue;
+                }
+                let own = step(model, rule, &[base.category.meaning], category.meaning);
+                let score = base.score + own;
+                found.push(Derived { category, made, score });
+            }
         }
     }
     found

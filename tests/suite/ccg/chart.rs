@@ -22,6 +22,7 @@ pub(super) const WITHOUT_END: ChartConfig = ChartConfig {
     allow_vacuous: false,
     allow_throwing: false,
     clauses: Clauses::ONE,
+    in_time: true,
 };
 
 const VOCABULARY: [&str; 10] =

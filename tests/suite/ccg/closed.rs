@@ -8,7 +8,7 @@ use groundling::ccg::{
     ChartConfig, EntryId, Hearing, Model, Origin, Trace, any_closed, closed, parse, words,
 };
 use groundling::corpus::{Example, Pair};
-use groundling::learn::genlex::{CoarseCharts, Scope, generate};
+use groundling::learn::genlex::{CoarseCharts, Domain, Scope, generate};
 use groundling::learn::{CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
 use groundling::logic::print_human;
 
@@ -129,7 +129,7 @@ fn generation_has_no_candidate_with_a_closed_word() {
             let generated = generate(
                 &mut model,
                 &words,
-                scope,
+                (scope, Domain::Runs),
                 ChartConfig::default(),
                 &mut CoarseCharts::default(),
             );
@@ -152,7 +152,7 @@ fn leaving(truly: bool) -> Vec<Example> {
         let color = color.clone().find(|color| example.command.contains(color))?;
         example.command = format!("leave the {color} room");
         if truly {
-            let back = |Pair { pre, post }| Pair { pre: post, post: pre };
+            let back = |Pair { pre, post, .. }| Pair::of(post, pre);
             example.pairs = example.pairs.into_iter().map(back).collect();
         }
         Some(example)

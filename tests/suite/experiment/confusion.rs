@@ -31,7 +31,7 @@ fn wrong_answers_are_known_by_what_they_do() {
     let six = six();
     let green = six.iter().find(|e| e.task.as_deref() == Some("green-room")).unwrap();
     let near = six.iter().find(|e| e.task.as_deref() == Some("near-block")).unwrap();
-    let back = |pair: &Pair| Pair { pre: pair.post.clone(), post: pair.pre.clone() };
+    let back = |pair: &Pair| Pair::of(pair.post.clone(), pair.pre.clone());
     let mut examples = six.clone();
     examples.extend([
         // Says what the other task does, twice.

@@ -47,11 +47,12 @@ fn row(random: &mut Pcg32, good: &[Pair]) -> Example {
     let command: Vec<&str> = (0..length).map(|_| word()).collect();
     let mut pairs: Vec<Pair> = Vec::new();
     for _ in 0..random.random_range(0..4_u32) {
-        let Pair { pre, post } = good[random.random_range(0..good.len() as u32) as usize].clone();
+        let Pair { pre, post, .. } =
+            good[random.random_range(0..good.len() as u32) as usize].clone();
         pairs.push(match random.random_range(0..3_u32) {
-            0 => Pair { pre, post },
-            1 => Pair { pre: post.clone(), post: pre },
-            _ => Pair { pre: pre.clone(), post: pre },
+            0 => Pair::of(pre, post),
+            1 => Pair::of(post.clone(), pre),
+            _ => Pair::of(pre.clone(), pre),
         });
     }
     example(&command.join(" "), pairs)
@@ -150,7 +151,7 @@ fn commands_without_demonstrations_teach_nothing() {
 #[test]
 fn what_contradicts_itself_is_not_believed() {
     let pairs = six()[0].pairs.clone();
-    let back = pairs.iter().map(|Pair { pre, post }| Pair { pre: post.clone(), post: pre.clone() });
+    let back = pairs.iter().map(|Pair { pre, post, .. }| Pair::of(post.clone(), pre.clone()));
     let both: Vec<Pair> = pairs.iter().cloned().chain(back).collect();
     let examples: Vec<Example> =
         (0..20).map(|i| example(&format!("word{i} the green room"), both.clone())).collect();

@@ -2,7 +2,7 @@
 //! templates take what their holes ask for.
 
 use groundling::ccg::{Atom, ChartConfig, Model, Origin, lexicon_text::read_lexicon, words};
-use groundling::learn::genlex::{CoarseCharts, Generated, Scope, generate};
+use groundling::learn::genlex::{CoarseCharts, Domain, Generated, Scope, generate};
 use groundling::learn::novelty::{Novelty, novelty};
 use groundling::learn::{CLEANUP_LEXICON, seed_model};
 use groundling::logic::ConstantId;
@@ -75,7 +75,7 @@ fn generated(model: &mut Model, command: &str, scope: Scope) -> Generated {
     generate(
         model,
         &words(command),
-        scope,
+        (scope, Domain::States),
         ChartConfig { beam: 75, ..ChartConfig::default() },
         &mut CoarseCharts::default(),
     )

@@ -15,6 +15,7 @@ const CONFIG: Config = Config {
     lexical_budget: 60_000,
     generations: 2,
     idioms: true,
+    contrasts: true,
     without: Kinds::NONE,
     planning: None,
 };

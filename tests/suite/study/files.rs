@@ -14,7 +14,7 @@ pub(crate) fn showing(step: i32) -> Showing {
     let pre = groundling::domain::State::read(crate::corpus::PRE).unwrap();
     let mut post = pre.clone();
     post.agent.x += step;
-    Showing::from(Pair { pre, post })
+    Showing::from(Pair::of(pre, post))
 }
 
 /// An item of so many showings.

@@ -24,9 +24,27 @@ fn questions_are_told_from_commands() {
     assert_eq!(about("are you in the red room?"), is(Query::Is, "go in the red room"));
     assert_eq!(about("how many chairs are there?"), is(Query::Count, "go to the chair"));
     assert_eq!(about("what can you do?"), is(Query::Can, ""));
-    assert_eq!(about("who made you?"), is(Query::Else, ""));
-    for command in ["go to the blue room", "can you go to the blue room?", "take it where you want"]
-    {
+    assert_eq!(about("how do I teach you a word"), is(Query::Can, ""));
+    assert_eq!(about("what is the biggest room?"), is(Query::Name, "go to the biggest room"));
+    assert_eq!(about("which room is the smallest"), is(Query::Name, "go to the smallest room"));
+    assert_eq!(about("what color is the block"), is(Query::Name, "go to the block"));
+    for question in [
+        "who made you?",
+        "why not",
+        "is the door locked?",
+        "which block do you see",
+        "how far is it",
+    ] {
+        assert_eq!(about(question), is(Query::Else, ""), "{question}");
+    }
+    for command in [
+        "go to the blue room",
+        "can you go to the blue room?",
+        "take it where you want",
+        "when you are ready go to the blue room",
+        "how about going to the red room",
+        "where the chair is, go there",
+    ] {
         assert_eq!(about(command), None, "{command}");
     }
 }

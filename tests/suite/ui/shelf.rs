@@ -333,3 +333,15 @@ fn what_is_left_is_told_from_the_pass_before() {
     clock.tick(1_000_000.0, &at(2, 51));
     assert_eq!(clock.worked(), 61_000.0, "what goes by while it rests is not its own");
 }
+
+#[test]
+fn curves_are_a_picture_that_stands_by_itself() {
+    let point = |epoch| run::curve::Point { progress: progress(epoch, 6), judgement: None };
+    let text = run::words::Text::of(groundling::ui::page::language::Language::German);
+    let picture = run::picture::picture(&[point(1), point(2)], text);
+    assert!(picture.starts_with("<svg xmlns=") && picture.ends_with("</svg>\n"), "{picture}");
+    assert_eq!(picture.matches("<circle").count(), 6, "two points of three charts");
+    assert!(picture.contains(text.entries) && !picture.contains(text.held_out));
+    assert_eq!(run::picture::picture(&[], text).matches("<text").count(), 0);
+    assert_eq!(groundling::ui::train::svg::escaped("a < b & c"), "a &lt; b &amp; c");
+}

@@ -1,11 +1,12 @@
 //! What all experiments are given alike.
 
 use crate::command::{Failure, once};
-use crate::corpora::{Loaded, Rows, examples, text};
+use crate::corpora::{Loaded, Rows, examples, keyed, text};
 use crate::parallel::default_jobs;
 use crate::train::at_least_one;
 use groundling::ccg::Model;
 use groundling::corpus::Example;
+use groundling::learn::experiment::By;
 use groundling::learn::{Config, seed_model};
 use lexopt::{Arg, ValueExt};
 use serde_json::Value;
@@ -89,6 +90,7 @@ impl Common {
             "with-rejected" => self.with_rejected = true,
             "lexicon" => once(&mut self.lexicon, "--lexicon", arguments)?,
             "without-idioms" => self.config.idioms = false,
+            "without-contrasts" => self.config.contrasts = false,
             "epochs" => self.config.epochs = at_least_one(arguments, "--epochs")?,
             "seed" => self.config.seed = arguments.value()?.parse()?,
             "jobs" => self.jobs = at_least_one(arguments, "--jobs")? as usize,
@@ -121,9 +123,26 @@ impl Common {
 
     /// The rows of files.
     pub(super) fn rows(&mut self, files: &[PathBuf]) -> Result<Arc<[Example]>, Failure> {
-        let Loaded { examples, rows } = examples(files, self.with_rejected)?;
+        let Loaded { examples, rows, .. } = examples(files, self.with_rejected)?;
         self.rows.add(rows);
         Ok(Arc::from(examples))
+    }
+
+    /// The rows of files, with what each says under a key, which one of them has to say.
+    pub(super) fn keyed(
+        &mut self,
+        files: &[PathBuf],
+        key: &str,
+    ) -> Result<(Arc<[Example]>, Vec<String>), Failure> {
+        let Loaded { examples, rows, values } = keyed(files, self.with_rejected, key)?;
+        self.rows.add(rows);
+        if values.iter().all(Option::is_none) {
+            let names = By::ALL.map(|(name, _)| name).join(", ");
+            return Err(Failure::Usage(format!(
+                "--by `{key}`: use one of {names}, or a key of the rows: none has this one"
+            )));
+        }
+        Ok((Arc::from(examples), values.into_iter().map(Option::unwrap_or_default).collect()))
     }
 
     /// A report as text, with what became of the rows.

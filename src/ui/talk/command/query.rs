@@ -5,6 +5,8 @@
 pub enum Query {
     /// Where something is.
     Where,
+    /// Which one it is that is described, and of what colour.
+    Name,
     /// What is in something.
     Inside,
     /// Whether something is somewhere.
@@ -20,7 +22,10 @@ pub enum Query {
 }
 
 /// How questions begin, the longer before the shorter.
-const HEADS: [(&str, Query); 33] = [
+const HEADS: [(&str, Query); 45] = [
+    ("which room is the biggest", Query::Name),
+    ("which room is the smallest", Query::Name),
+    ("which room is the largest", Query::Name),
     ("which room is ", Query::Where),
     ("what room is ", Query::Where),
     ("where is ", Query::Where),
@@ -36,6 +41,14 @@ const HEADS: [(&str, Query); 33] = [
     ("what's inside ", Query::Inside),
     ("what do you see in ", Query::Inside),
     ("what do you see", Query::World),
+    ("what color is ", Query::Name),
+    ("what colour is ", Query::Name),
+    ("what is this", Query::Can),
+    ("what is the ", Query::Name),
+    ("what's the ", Query::Name),
+    ("which is the ", Query::Name),
+    ("how do i ", Query::Can),
+    ("how does ", Query::Can),
     ("what do you understand", Query::Can),
     ("what can you do", Query::Can),
     ("what can i say", Query::Can),
@@ -54,23 +67,40 @@ const HEADS: [(&str, Query); 33] = [
     ("why ", Query::Else),
     ("when ", Query::Else),
     ("how ", Query::Else),
+    ("does ", Query::Else),
 ];
+
+/// How a command may begin, too, and does unless it asks: *when you are ready, …*.
+const MAY_COMMAND: [&str; 2] = ["when ", "where "];
+/// How a command begins, though it asks.
+const COMMANDS: [&str; 2] = ["how about ", "what about "];
 
 /// The question that a sentence is, with the command whose phrase it is about; nothing for what is no question.
 pub fn query(sentence: &str) -> Option<(Query, String)> {
     let asks = sentence.trim_end().ends_with('?');
     let bare = sentence.trim().trim_end_matches(['?', '.', '!', ' ']).to_ascii_lowercase();
+    let has = |heads: &[&str]| heads.iter().any(|head| bare.starts_with(head));
+    if has(&COMMANDS) {
+        return None;
+    }
     let begins = |(head, kind): &(&str, Query)| {
         let rest = bare.strip_prefix(head)?;
         let fits = match kind {
-            Query::Can | Query::World => rest.is_empty(),
-            Query::Else => asks,
+            Query::Can | Query::World => rest.is_empty() || head.ends_with(' '),
+            Query::Else => asks || !MAY_COMMAND.contains(head),
             _ => true,
         };
         fits.then_some((*kind, rest))
     };
     let (kind, about) = HEADS.iter().find_map(begins)?;
     let about = match kind {
+        Query::Name => match about.is_empty() {
+            // Which room is the biggest, the smallest.
+            true => {
+                format!("go to {} room", bare.strip_prefix("which room is ").unwrap_or_default())
+            }
+            false => format!("go to {}", object(&the(about))),
+        },
         Query::Where | Query::Inside => {
             format!("go to {}", object(about.strip_suffix(" in").unwrap_or(about)))
         }
@@ -79,7 +109,9 @@ pub fn query(sentence: &str) -> Option<(Query, String)> {
             format!("go to the {}", what.strip_suffix('s').unwrap_or(what))
         }
         Query::Is => {
-            let at = about.find(" in ").or_else(|| about.find(" next to "))?;
+            // Whether a thing has a property is no question of places.
+            let at = about.find(" in ").or_else(|| about.find(" next to "));
+            let Some(at) = at else { return Some((Query::Else, String::new())) };
             let (thing, place) = about.split_at(at);
             match object(thing) {
                 "the robot" => format!("go{place}"),
@@ -89,6 +121,13 @@ pub fn query(sentence: &str) -> Option<(Query, String)> {
         Query::World | Query::Can | Query::Else => String::new(),
     };
     Some((kind, about))
+}
+
+/// A description with its article.
+fn the(words: &str) -> String {
+    let has =
+        ["the ", "a ", "an ", "this ", "that "].iter().any(|article| words.starts_with(article));
+    if has { words.to_owned() } else { format!("the {words}") }
 }
 
 /// What the robot is called when it is spoken to.

@@ -80,8 +80,9 @@ fn tell(text: &Text, world: &World, query: Query, found: &Answer) -> Option<(Str
         };
         return Some((words, cells(all)));
     }
-    // All that a question of where may be about is told; any other is about one thing.
-    if phrase.refers == Refers::None || query != Query::Where && phrase.refers != Refers::One {
+    // All that a question of where or which may be about is told; any other is about one thing.
+    let tells_all = matches!(query, Query::Where | Query::Name);
+    if phrase.refers == Refers::None || !tells_all && phrase.refers != Refers::One {
         return Some(failed(phrase));
     }
     Some(match query {
@@ -95,6 +96,10 @@ fn tell(text: &Text, world: &World, query: Query, found: &Answer) -> Option<(Str
                 })
             });
             (told.collect::<Vec<_>>().join(" "), cells(all))
+        }
+        Query::Name => {
+            let names: Vec<String> = all.iter().map(|one| phrases.referent(one)).collect();
+            (format!("{}.", capitalised(&phrases.list(&names))), cells(all))
         }
         Query::Inside => {
             let inside = cells(all);
