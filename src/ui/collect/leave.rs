@@ -35,8 +35,8 @@ pub(super) fn end(state: &mut State) -> Vec<Effect> {
 
 /// Sends the form again, of which nobody here can tell whether it arrived.
 fn sent_again(state: &mut State) -> Vec<Effect> {
-    let forms = state.study.iter().flat_map(|(study, _)| &study.ends);
-    let form = forms.filter(|end| matches!(end, End::Form { .. })).next_back().cloned();
+    let mut ends = state.study.iter().flat_map(|(study, _)| &study.ends);
+    let form = ends.rfind(|end| matches!(end, End::Form { .. })).cloned();
     form.map(|form| ending::begin(state, &form)).unwrap_or_default()
 }
 

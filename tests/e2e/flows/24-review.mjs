@@ -50,7 +50,7 @@ flow(`${PEOPLE} simulated participants, and what a reviewer makes of them`, asyn
   t.expect(/another host is asked/);
   const there = await receiver();
   try {
-    const { said } = await crowd();
+    const { said } = await crowd(12);
     const made = await makeStudy(t, { asked: 3, hosts: [there.address], ends: [{ endpoint: { url: `${there.address}/in`, key: 'k' } }] }, ['--from', said, '--rehearsed']);
     await host(t, made);
     for (let seed = 0; seed < PEOPLE; seed += 1) {

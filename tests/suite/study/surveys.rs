@@ -129,8 +129,8 @@ fn psiturks_downloads_are_read() {
 fn values_in_pythons_notation_are_read_or_kept_as_text() {
     let questions = |text: &str| {
         let quoted = format!("\"{}\"", text.replace('"', "\"\""));
-        let both = format!("a:b,0,1,\"{{\"\"x\"\":1}}\"\n");
-        let found = trials([("t", both.as_str()), ("q", format!("a:b,k,{quoted}\n").as_str())]);
+        let both = "a:b,0,1,\"{\"\"x\"\":1}\"\n";
+        let found = trials([("t", both), ("q", format!("a:b,k,{quoted}\n").as_str())]);
         found.rows[0].1["question.k"].to_string()
     };
     for (text, wanted) in [
