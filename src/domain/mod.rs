@@ -13,6 +13,7 @@ mod flood;
 pub mod leaps;
 pub mod generate;
 pub mod blueprint;
+mod quote;
 pub mod text;
 pub mod way;
 

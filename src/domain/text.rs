@@ -16,6 +16,7 @@
 //! that is printed reads back the same.
 
 use super::object::{Agent, Bounds, Direction, Door, Object, Room, Size};
+use super::quote::{quoted, unquoted};
 use super::state::{MAX_SIDE, State, StateError};
 use std::str::FromStr;
 
@@ -110,7 +111,7 @@ impl<'a> Words<'a> {
         }
         let name = std::mem::take(&mut self.rest).trim();
         if name.starts_with('"') {
-            return serde_json::from_str(name).map_err(|e| self.error(format!("a name: {e}")));
+            return unquoted(name).map_err(|wrong| self.error(format!("a name: {wrong}")));
         }
         if name.is_empty() {
             Err(self.error("a name is missing here".into()))
@@ -468,6 +469,6 @@ fn called(name: &str, otherwise: &str) -> String {
     match (name == otherwise, is_plain) {
         (true, _) => String::new(),
         (false, true) => format!(" as {name}"),
-        (false, false) => format!(" as {}", serde_json::to_string(name).unwrap_or_default()),
+        (false, false) => format!(" as {}", quoted(name)),
     }
 }

@@ -8,11 +8,10 @@ import zlib from 'node:zlib';
 
 const KB = 1000;
 const LIMITS = [
-  // Aim: 400. Searches that always find a plan brought the talker 21 KB that are still to be found elsewhere.
-  { what: 'first view', most: 415 * KB, counts: (kind) => kind === 'first' },
+  { what: 'first view', most: 400 * KB, counts: (kind) => kind === 'first' },
   { what: 'models', most: 150 * KB, counts: (kind) => kind === 'model' },
   // Aim: 1,800. The workbench and what it asks of the learner came on top of it, what it keeps, and studies.
-  { what: 'everything the app can load', most: 2300 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
+  { what: 'everything the app can load', most: 2340 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
   // A page of its own, for people who take part in a study: it loads these and nothing else.
   { what: 'first view of collect.html', most: 200 * KB, counts: (kind) => kind === 'collect' },
 ];

@@ -3,7 +3,7 @@
 #[path = "world/blueprint.rs"]
 mod blueprint;
 
-use groundling::domain::{Color, Direction, Layout, Plan, Shape, State, generate};
+use groundling::domain::{Color, Direction, Layout, Plan, Shape, State, generate, text};
 use std::collections::BTreeSet;
 
 /// A world of two rooms: `object0` at (2, 2), the agent at (1, 1), a door at (4, 2).
@@ -106,6 +106,39 @@ fn names_and_letters_go_both_ways() {
         Shape::ALL.len()
     );
     assert!(Direction::ALL.iter().all(|d| d.opposite() != *d && d.opposite().opposite() == *d));
+}
+
+#[test]
+fn names_in_quotes_are_drawn_and_read_as_json_writes_them() {
+    let mut state = generate(&Plan::default(), 1);
+    for name in [
+        "a \"b\" \\ c",
+        " padded ",
+        "zwei\nZeilen\t",
+        "Ünïcode ☃ 🤖",
+        "\u{1}\u{7f}",
+        "\"",
+        "\\u0041",
+    ] {
+        state.rooms[0].name = name.to_owned();
+        let drawn = text::print(&state);
+        assert_eq!(text::read(&drawn).map_err(|e| e.to_string()), Ok(state.clone()), "{drawn}");
+        let as_json = drawn.lines().find_map(|line| line.split_once(" as ")).unwrap().1;
+        assert_eq!(serde_json::from_str::<String>(as_json).unwrap(), name);
+    }
+    let (own, drawn) = (r#"as "\\u0041""#, text::print(&state));
+    let with = |name: &str| text::read(&drawn.replace(own, &format!("as {name}")));
+    assert_eq!(with(r#""\u0041\/\b""#).unwrap().rooms[0].name, "A/\u{8}");
+    for (name, wrong) in [
+        (r#""open"#, "does not end"),
+        (r#""a" b"#, "behind its quote"),
+        (r#""\x""#, "no such escape"),
+        (r#""\ud800""#, "no such escape"),
+        (r#""\u00""#, "no such escape"),
+    ] {
+        let error = with(name).unwrap_err().to_string();
+        assert!(error.contains(wrong), "{error}");
+    }
 }
 
 #[test]
