@@ -76,7 +76,7 @@ flow('a store that fills up while it learns is told, and the run goes on', { sec
     };
   });
   const demo = await openTrain(t);
-  await keptRun(demo, 'mine.csv', many(400), 200);
+  await keptRun(demo, 'mine.csv', many(400), 1000);
   await demo.page.evaluate(() => { globalThis.isFull = true; });
   await demo.by('run-not-kept').waitFor();
   await t.equal(() => demo.by('run-not-kept').getAttribute('data-fault'), 'full', 'the fault');
