@@ -37,6 +37,10 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         // Whoever says something, in whatever way, has the page.
         state.demo = Demo::Over;
     }
+    if matches!(action, Action::Ask | Action::AskExample(_)) {
+        // What a person says is not said over again by a session that was opened before and waited for its words.
+        (state.resume.command, state.resume.form) = (None, None);
+    }
     match action {
         Action::Demo => run::want(state, shared),
         Action::Touched => run::end(state, shared),

@@ -2,6 +2,7 @@
 
 use super::{Page, model, pair, taught, understood, world};
 use groundling::ui::app::Action;
+use groundling::ui::page::coming::Resource;
 use groundling::ui::page::effect::Effect;
 use groundling::ui::page::preferences::Depth;
 use groundling::ui::talk;
@@ -71,6 +72,22 @@ fn a_shared_session_opens_lessons_first_then_the_command_then_the_reading() {
             .is_at(|r| matches!(r, Request::Plan { form, .. } if form == "(g:t)"))
     );
     page.act(Action::Undo);
+}
+
+#[test]
+fn what_a_person_says_goes_before_what_a_link_has_still_to_say() {
+    let mut page = Page::ready();
+    page.state.shared.words = Resource::Coming;
+    let session = Session { lessons: Vec::new(), ..session() };
+    page.act(talk::Action::Open(Ok(session.pack())));
+    assert!(page.state.talk.resume.command.is_some(), "its words are still to come");
+    page.act(talk::Action::AskExample("enter the red room".to_owned()));
+    page.act(Action::FetchedWords(Ok("stool\tchair\n".to_owned())));
+    page.answer(Event::Words);
+    let of_the_link =
+        |r: &Request| matches!(r, Request::Ask { command, .. } if command == "go to the blue room");
+    assert!(!page.state.shared.talker.is_at(of_the_link));
+    assert_eq!(page.state.talk.resume.command, None);
 }
 
 #[test]
