@@ -132,6 +132,9 @@ impl Kept {
         let entries = model.lexicon.len();
         match self.commands[at].take() {
             Some(command) if command.entries == entries => command,
+            Some(command) if command.heard.stays(model, command.entries, words) => {
+                Command { entries, ..command }
+            }
             known => {
                 let heard = Heard::new(model, words);
                 match known {
@@ -160,6 +163,17 @@ impl Heard {
         let taken = items.iter().map(taken).collect();
         let absorbed = absorbed(model, words, empty, Leniency::Learned);
         Heard { hearing, items, taken, absorbed }
+    }
+
+    /// Whether it is what the model says of these words, as it was when the lexicon had so many entries: there is no word
+    /// that it does not know, and none of the entries that came since stands in them.
+    fn stays(&self, model: &Model, then: usize, words: &[String]) -> bool {
+        let Hearing { words: heard, closed, .. } = &self.hearing;
+        let is_sure =
+            |(word, closed): (&String, &Option<_>)| closed.is_some() || model.lexicon.knows(word);
+        heard == words
+            && words.iter().zip(closed).all(is_sure)
+            && !model.lexicon.says_more(then, words)
     }
 
     /// Whether another says the same, whatever it scores.
