@@ -169,8 +169,7 @@ impl Pairs {
             }
             let moved = |to: usize| if is_first { (to, b) } else { (a, to) };
             // Directions come in opposites: north, south, east, west.
-            for back in 0..4 {
-                let robot = next[object][back];
+            for (back, robot) in next[object].into_iter().enumerate() {
                 if robot == NOWHERE || !wave.is_here(usize::from(robot)) {
                     continue;
                 }
