@@ -183,7 +183,8 @@ flow('what somebody answered is listed with all that is kept, saved and deleted'
   const demo = await openPage(t, `${t.address}#kept`);
   const row = demo.by('kept-item').filter({ hasText: 'What you answered in a study' });
   await row.waitFor();
-  await t.check((await demo.saved('export')).includes('"text":"one"'), 'the notes are saved');
+  const notes = await demo.saved('export');
+  await t.check(() => notes.includes('"text":"one"'), 'the notes are saved');
   await row.getByTestId('delete').click();
   await demo.by('nothing-kept').waitFor();
   await person.page.reload();
