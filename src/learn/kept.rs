@@ -13,7 +13,7 @@ use std::rc::Rc;
 /// Edges and derivations that all forests together may have: some 100 MB. What does not fit is read anew each time.
 const MOST: usize = 3_000_000;
 /// Derivations that are tried without a beam for the sake of a forest.
-const LARGEST: usize = 40_000;
+const LARGEST: usize = 120_000;
 
 /// The goals that a command can mean, ranked, with their features; whether its chart is not whole.
 pub(super) type Read = (Vec<(TermId, Rc<Vector>)>, bool);
