@@ -2,7 +2,8 @@
 //! (Umeyama 1991, which in a plane is a division of complex numbers). A cell's middle is its coordinates.
 
 use super::geometry::{Pose, wrap};
-use crate::domain::{Cell, State, cell_at};
+use super::sight::angle;
+use crate::domain::{Agent, Cell, State, cell_at};
 
 /// Metres that a cell may measure a side.
 const SIZES: std::ops::RangeInclusive<f64> = 0.15..=5.0;
@@ -50,6 +51,15 @@ impl Calibration {
         let turn = [1.0 / size, 0.0];
         let [x, y] = times(turn, metres);
         let shift = [f64::from(cell.0) - x, f64::from(cell.1) - y];
+        Calibration { turn, shift, off: 0.0 }
+    }
+
+    /// A world in which the robot stands in the middle of its cell and looks to its side: where and how it is seen to be.
+    pub fn here(size: f64, agent: &Agent, seen: Pose) -> Calibration {
+        let turned = angle(agent.direction) - seen.heading;
+        let turn = [libm::cos(turned) / size, libm::sin(turned) / size];
+        let [x, y] = times(turn, [seen.x, seen.y]);
+        let shift = [f64::from(agent.x) - x, f64::from(agent.y) - y];
         Calibration { turn, shift, off: 0.0 }
     }
 

@@ -11,17 +11,20 @@ pub mod geometry;
 pub mod frame;
 pub mod message;
 pub mod wiring;
+pub mod address;
 pub mod session;
+pub mod sight;
 pub mod calibration;
 pub mod estimate;
 pub mod controller;
-pub mod sight;
 pub mod route;
 pub mod trial;
 pub mod stage;
 pub mod driver;
 pub mod pilot;
 pub mod sim;
+#[cfg(target_arch = "wasm32")]
+pub mod link;
 
 pub use calibration::{Calibration, Mark};
 pub use driver::Driver;

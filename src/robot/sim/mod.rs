@@ -4,7 +4,9 @@
 pub mod noise;
 pub mod base;
 pub mod bridge;
+pub mod rehearsal;
 
 pub use base::{Base, Body};
 pub use bridge::{Bridge, Plugs};
 pub use noise::{Dice, Noise};
+pub use rehearsal::{Rehearsal, rehearse};
