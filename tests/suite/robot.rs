@@ -10,6 +10,8 @@ mod frames;
 mod runs;
 #[path = "robot/sessions.rs"]
 mod sessions;
+#[path = "robot/sockets.rs"]
+mod sockets;
 #[path = "robot/stops.rs"]
 mod stops;
 

@@ -28,6 +28,8 @@ pub struct Plugs {
     pub pose: String,
     /// What the topic of an object begins with; nothing where none is tracked.
     pub bodies: Option<String>,
+    /// Where the rooms' corner lies in what it says, and how they are turned: poses are seldom said in the rooms' own axes.
+    pub origin: Pose,
 }
 
 impl Default for Plugs {
@@ -40,6 +42,7 @@ impl Default for Plugs {
             sighting: Sighting::Odometry,
             pose: "/odom".to_owned(),
             bodies: Some("/tracked/".to_owned()),
+            origin: Pose::default(),
         }
     }
 }
@@ -162,10 +165,14 @@ impl Bridge {
             .collect();
         for (topic, sighting, pose) in std::iter::once(own).chain(things) {
             if self.heard.contains(&topic) && !self.dice.happens(self.noise.loss) {
+                let origin = self.plugs.origin;
+                let (sin, cos) = (libm::sin(origin.heading), libm::cos(origin.heading));
                 let seen = Pose {
-                    x: pose.x + self.noise.place * self.dice.normal(),
-                    y: pose.y + self.noise.place * self.dice.normal(),
-                    heading: wrap(pose.heading + self.noise.heading * self.dice.normal()),
+                    x: origin.x + cos * pose.x - sin * pose.y + self.noise.place * self.dice.normal(),
+                    y: origin.y + sin * pose.x + cos * pose.y + self.noise.place * self.dice.normal(),
+                    heading: wrap(
+                        origin.heading + pose.heading + self.noise.heading * self.dice.normal(),
+                    ),
                 };
                 let msg = message(sighting, self.plugs.generation, seen);
                 self.send(&Frame::Publish { id: None, topic, msg }, self.now);
