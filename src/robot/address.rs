@@ -34,6 +34,9 @@ pub fn address(typed: &str, is_secure: bool) -> Result<String, Fault> {
         return Err(Fault::NoSocket);
     }
     let host = host.to_ascii_lowercase();
-    let is_own = host == "localhost" || host == "::1" || host.starts_with("127.") || host.ends_with(".localhost");
+    let is_own = host == "localhost"
+        || host == "::1"
+        || host.starts_with("127.")
+        || host.ends_with(".localhost");
     if is_secure && is_plain && !is_own { Err(Fault::Mixed) } else { Ok(typed.to_owned()) }
 }

@@ -19,6 +19,9 @@ pub struct Mark {
     pub cell: (i32, i32),
 }
 
+/// A place in metres and in cells.
+type Pair = ([f64; 2], [f64; 2]);
+
 /// How metres are mapped to cells: `cell = turn · metres + shift`, as complex numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
@@ -68,7 +71,7 @@ impl Calibration {
     /// # Errors
     /// Why there is none that is good enough.
     pub fn fit(marks: &[Mark]) -> Result<Calibration, Uncalibrated> {
-        let pairs: Vec<([f64; 2], [f64; 2])> = marks.iter().map(|m| (m.metres, middle(m.cell))).collect();
+        let pairs: Vec<Pair> = marks.iter().map(|m| (m.metres, middle(m.cell))).collect();
         let found = solve(&pairs).ok_or(Uncalibrated::TooFew)?;
         let size = found.cell();
         if !SIZES.contains(&size) {
@@ -126,9 +129,9 @@ pub fn corners(world: &State) -> Vec<(i32, i32)> {
 }
 
 /// The least squares over pairs of metres and cells; nothing where all lie in one place.
-fn solve(pairs: &[([f64; 2], [f64; 2])]) -> Option<Calibration> {
+fn solve(pairs: &[Pair]) -> Option<Calibration> {
     let n = pairs.len() as f64;
-    let mean = |of: fn(&([f64; 2], [f64; 2])) -> [f64; 2]| {
+    let mean = |of: fn(&Pair) -> [f64; 2]| {
         let sum = pairs.iter().map(of).fold([0.0; 2], |sum, [x, y]| [sum[0] + x, sum[1] + y]);
         [sum[0] / n, sum[1] / n]
     };
@@ -148,9 +151,9 @@ fn solve(pairs: &[([f64; 2], [f64; 2])]) -> Option<Calibration> {
     let turn = [across[0] / spread, across[1] / spread];
     let [x, y] = times(turn, from);
     let mut found = Calibration { turn, shift: [to[0] - x, to[1] - y], off: 0.0 };
-    let off = pairs.iter().map(|&([x, y], [cx, cy])| {
-        found.to_cells(Pose { x, y, heading: 0.0 }).distance(cx, cy)
-    });
+    let off = pairs
+        .iter()
+        .map(|&([x, y], [cx, cy])| found.to_cells(Pose { x, y, heading: 0.0 }).distance(cx, cy));
     found.off = off.fold(0.0, f64::max);
     Some(found)
 }

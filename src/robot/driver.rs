@@ -28,6 +28,10 @@ const LEAP: (f64, f64) = (0.6, 1.3);
 const STEP: f64 = 30_000.0;
 /// Bytes that may wait to leave: some dozen velocities.
 const BACKLOG: u32 = 4_000;
+/// Milliseconds that it stands and looks before it takes the world to be elsewhere.
+const LOOKING: f64 = 700.0;
+/// What one sight of a tracked thing corrects, and metres beyond which it is somewhere else.
+const SIGHT: (f64, f64) = (0.3, 0.3);
 /// A robot that has thought again so often for one command is lost.
 const MOST_AGAIN: u32 = 20;
 
@@ -57,6 +61,8 @@ pub struct Driver {
     /// The run of this command before the route began.
     before: Vec<State>,
     is_thinking: bool,
+    /// Since when it stands and looks.
+    looking: Option<f64>,
     again: u32,
     began: f64,
     sent: f64,
@@ -82,6 +88,7 @@ impl Driver {
             targets: VecDeque::new(),
             before: Vec::new(),
             is_thinking: false,
+            looking: None,
             again: 0,
             began: 0.0,
             sent: f64::NEG_INFINITY,
@@ -131,7 +138,8 @@ impl Driver {
     fn look_for(&self, believed: &State) -> Option<Result<State, Unseen>> {
         let calibration = self.calibration?;
         let seen = self.bodies.iter().zip(&self.tracked);
-        let bodies = seen.filter_map(|(pose, &index)| Some((index, calibration.to_cells((*pose)?))));
+        let bodies =
+            seen.filter_map(|(pose, &index)| Some((index, calibration.to_cells((*pose)?))));
         Some(look(believed, self.place()?, &bodies.collect::<Vec<_>>()))
     }
 }
@@ -154,12 +162,7 @@ impl Driver {
                 self.halt(Halt::Unlinked, deeds);
             }
             Event::Robot(pose) => self.saw(pose, now, deeds),
-            Event::Body(number, pose) => {
-                if self.bodies.len() <= number {
-                    self.bodies.resize(number + 1, None);
-                }
-                self.bodies[number] = Some(pose);
-            }
+            Event::Body(number, pose) => self.saw_body(number, pose),
             Event::Bad(bad) => self.halt(Halt::Bad(bad), deeds),
             Event::Backlog(bytes) if bytes > BACKLOG => self.halt(Halt::Backlog, deeds),
             Event::Backlog(_) => {}
@@ -310,6 +313,7 @@ impl Driver {
         let both = self.route.as_ref().zip(self.calibration.as_ref());
         let targets = both.map(|(route, calibration)| route.targets(calibration, self.limits));
         (self.targets, self.began) = (targets.unwrap_or_default().into(), now);
+        self.looking = None;
     }
 
     /// A state of the route was reached: on to the next.
@@ -365,6 +369,19 @@ impl Driver {
         if let Stage::Trying(trial) = &mut self.stage {
             trial.saw(pose, now);
         }
+    }
+
+    fn saw_body(&mut self, number: usize, pose: Pose) {
+        if self.bodies.len() <= number {
+            self.bodies.resize(number + 1, None);
+        }
+        let place = &mut self.bodies[number];
+        let near = place.filter(|before| before.distance(pose.x, pose.y) < SIGHT.1);
+        *place = Some(near.map_or(pose, |before| Pose {
+            x: before.x + SIGHT.0 * (pose.x - before.x),
+            y: before.y + SIGHT.0 * (pose.y - before.y),
+            heading: pose.heading,
+        }));
     }
 
     fn tick(&mut self, now: f64, deeds: &mut Vec<Deed>) {
@@ -426,7 +443,14 @@ impl Driver {
         let Some(next) = next else { return self.pause(deeds) };
         match self.look_for(&next) {
             Some(Ok(seen)) if seen == next => self.advance(now, deeds),
-            seen => self.rethink(seen, deeds),
+            seen => match self.looking {
+                None => {
+                    self.looking = Some(now);
+                    self.stop(deeds);
+                }
+                Some(since) if now - since < LOOKING => {}
+                Some(_) => self.rethink(seen, deeds),
+            },
         }
     }
 

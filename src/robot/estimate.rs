@@ -59,7 +59,8 @@ impl Estimate {
             self.past.push_back((now, pose));
             return (0.0, 0.0);
         };
-        let (x, y, turn) = (pose.x - thought.x, pose.y - thought.y, wrap(pose.heading - thought.heading));
+        let (x, y, turn) =
+            (pose.x - thought.x, pose.y - thought.y, wrap(pose.heading - thought.heading));
         let gain = (1.0 - libm::exp(-since.max(0.0) / SETTLING)).min(MOST_GAIN);
         for (_, past) in &mut self.past {
             past.x += gain * x;

@@ -33,8 +33,7 @@ impl Twist {
 
     /// The same, each part at most so large; a part that is no number is 0.
     pub fn capped(self, linear: f64, angular: f64) -> Twist {
-        let cap =
-            |part: f64, most: f64| if part.is_nan() { 0.0 } else { part.clamp(-most, most) };
+        let cap = |part: f64, most: f64| if part.is_nan() { 0.0 } else { part.clamp(-most, most) };
         Twist { linear: cap(self.linear, linear), angular: cap(self.angular, angular) }
     }
 }
@@ -44,7 +43,9 @@ impl Pose {
     pub fn after(self, twist: Twist, seconds: f64) -> Pose {
         let turn = twist.angular * seconds;
         // The chord of the arc lies halfway between the headings.
-        let way = twist.linear * seconds * if turn == 0.0 { 1.0 } else { libm::sin(turn / 2.0) / (turn / 2.0) };
+        let way = twist.linear
+            * seconds
+            * if turn == 0.0 { 1.0 } else { libm::sin(turn / 2.0) / (turn / 2.0) };
         let middle = self.heading + turn / 2.0;
         Pose {
             x: self.x + way * libm::cos(middle),

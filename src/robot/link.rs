@@ -30,9 +30,10 @@ impl Link {
     pub fn open(address: &str, told: impl Fn(News) + Clone + 'static) -> Result<Link, JsValue> {
         let socket = WebSocket::new(address)?;
         let tell = told.clone();
-        let event: Closure<dyn FnMut(web_sys::Event)> = Closure::new(move |event: web_sys::Event| {
-            tell(if event.type_() == "open" { News::Opened } else { News::Closed });
-        });
+        let event: Closure<dyn FnMut(web_sys::Event)> =
+            Closure::new(move |event: web_sys::Event| {
+                tell(if event.type_() == "open" { News::Opened } else { News::Closed });
+            });
         let message: Closure<dyn FnMut(MessageEvent)> = Closure::new(move |event: MessageEvent| {
             told(News::Heard(event.data().as_string().unwrap_or_default()));
         });

@@ -60,7 +60,9 @@ impl Generation {
     /// refuses what it takes to be old. For zero it takes its own.
     fn header(self) -> Value {
         match self {
-            Generation::One => json!({ "seq": 0, "stamp": { "secs": 0, "nsecs": 0 }, "frame_id": "" }),
+            Generation::One => {
+                json!({ "seq": 0, "stamp": { "secs": 0, "nsecs": 0 }, "frame_id": "" })
+            }
             Generation::Two => json!({ "stamp": { "sec": 0, "nanosec": 0 }, "frame_id": "" }),
         }
     }
@@ -99,7 +101,8 @@ impl Command {
     /// The message of a velocity; nothing where that is no number.
     pub fn message(self, generation: Generation, twist: Twist) -> Option<Value> {
         let vector = |x: f64, z: f64| json!({ "x": x, "y": 0.0, "z": z });
-        let plain = json!({ "linear": vector(twist.linear, 0.0), "angular": vector(0.0, twist.angular) });
+        let plain =
+            json!({ "linear": vector(twist.linear, 0.0), "angular": vector(0.0, twist.angular) });
         twist.is_finite().then(|| match self {
             Command::Twist => plain,
             Command::TwistStamped => json!({ "header": generation.header(), "twist": plain }),

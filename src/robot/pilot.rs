@@ -79,7 +79,8 @@ impl Check {
 impl Pilot {
     /// A robot in a world, which nothing is known of.
     pub fn new(world: State, wiring: Wiring) -> Pilot {
-        let place = |(name, _): &(String, String)| world.objects.iter().position(|o| o.name == *name);
+        let place =
+            |(name, _): &(String, String)| world.objects.iter().position(|o| o.name == *name);
         // A topic of a thing that is not there moves nothing.
         let tracked = wiring.bodies.iter().map(|body| place(body).unwrap_or(usize::MAX)).collect();
         let mut driver = Driver::new(world);
@@ -129,7 +130,9 @@ impl Pilot {
     fn drive(&mut self, event: Event, now: f64, acts: &mut Vec<Act>) {
         for deed in step(&mut self.driver, event, now) {
             match deed {
-                Deed::Arm(is_armed) => acts.extend(self.session.arm(is_armed).into_iter().map(Act::Send)),
+                Deed::Arm(is_armed) => {
+                    acts.extend(self.session.arm(is_armed).into_iter().map(Act::Send))
+                }
                 Deed::Publish(twist) => {
                     self.last = Some(twist);
                     acts.extend(self.session.publish(twist).map(Act::Send));

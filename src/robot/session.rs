@@ -160,7 +160,10 @@ impl Session {
         self.is_armed = is_armed;
         if !is_armed {
             let (id, topic) = (self.advertised.take(), self.wiring.velocity.clone());
-            return id.map(|id| Frame::Unadvertise { id: Some(id), topic }.write()).into_iter().collect();
+            return id
+                .map(|id| Frame::Unadvertise { id: Some(id), topic }.write())
+                .into_iter()
+                .collect();
         }
         self.advertise().into_iter().collect()
     }

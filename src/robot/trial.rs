@@ -21,7 +21,7 @@ pub struct Trial {
     phase: Phase,
     /// Times and headings, each counted on from the one before.
     headings: Vec<(f64, f64)>,
-    before: f64,
+    began: f64,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -64,7 +64,7 @@ impl Trial {
     /// The key is held: it begins.
     pub fn begin(&mut self, now: f64) {
         self.phase = Phase::Turning(now);
-        self.before = self.mean(now - 2.0 * STRETCH, now).unwrap_or(0.0);
+        self.began = now;
     }
 
     /// A pose came in.
@@ -93,7 +93,9 @@ impl Trial {
             (self.mean(now - STRETCH, now), self.mean(now - 2.0 * STRETCH, now - STRETCH));
         let stands = last.zip(earlier).is_some_and(|(a, b)| (a - b).abs() < STANDS);
         if alone >= 2.0 * STRETCH && stands {
-            let has_moved = last.is_some_and(|last| (last - self.before).abs() > MOVED);
+            // What comes in at first was seen before it began to turn.
+            let first = self.mean(self.began, self.began + STRETCH / 2.0);
+            let has_moved = last.zip(first).is_some_and(|(a, b)| (a - b).abs() > MOVED);
             return Some(if has_moved {
                 Verdict::Stops((alone - STRETCH) as u32)
             } else {

@@ -1,6 +1,9 @@
 //! The rosbridge of the tests' own as a program, for tests that are not Rust: it says where it listens and what comes in, a
 //! JSON value a line, and does what it is told, a line each (`mute`, `cut`, `close`, `say TEXT`, `carry X Y SIDE`, `report` …).
-#![cfg_attr(not(target_arch = "wasm32"), allow(clippy::print_stdout, reason = "its output is what it is for"))]
+#![cfg_attr(
+    not(target_arch = "wasm32"),
+    allow(clippy::print_stdout, reason = "its output is what it is for")
+)]
 
 #[cfg(not(target_arch = "wasm32"))]
 #[path = "peer.rs"]

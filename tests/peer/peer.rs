@@ -131,7 +131,8 @@ impl Peer {
             Ok(Message::Text(text)) => lock(&self.hub).hear(id, text.as_str()),
             Ok(Message::Close(_)) => return false,
             Ok(_) => {}
-            Err(Error::Io(error)) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {}
+            Err(Error::Io(error))
+                if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {}
             Err(_) => return false,
         }
         let (texts, is_closing) = lock(&self.hub).taken(id);
@@ -169,7 +170,9 @@ impl Hub {
         for text in self.bridge.pass(now) {
             let Ok(frame) = serde_json::from_str::<Value>(&text) else { continue };
             match frame["op"].as_str() {
-                Some("publish") => self.hand_on(0, frame["topic"].as_str().unwrap_or_default(), &text),
+                Some("publish") => {
+                    self.hand_on(0, frame["topic"].as_str().unwrap_or_default(), &text)
+                }
                 _ => {
                     let asker = frame["id"].as_str().and_then(|id| self.asked.remove(id));
                     self.send(asker.unwrap_or(0), text);
@@ -251,7 +254,9 @@ impl Hub {
 
     fn command(&mut self, line: &str) -> Option<Value> {
         let (word, rest) = line.trim().split_once(' ').unwrap_or((line.trim(), ""));
-        let number = |at: usize| rest.split(' ').nth(at).and_then(|word| word.parse::<f64>().ok()).unwrap_or(0.0);
+        let number = |at: usize| {
+            rest.split(' ').nth(at).and_then(|word| word.parse::<f64>().ok()).unwrap_or(0.0)
+        };
         match word {
             "mute" => self.bridge.tells = false,
             "unmute" => self.bridge.tells = true,
@@ -269,27 +274,35 @@ impl Hub {
             "flood" => {
                 let all: Vec<u32> = self.clients.keys().copied().collect();
                 for at in 0..number(0) as u32 {
-                    let text = json!({ "op": "publish", "topic": "/scan", "msg": { "at": at } }).to_string();
+                    let text = json!({ "op": "publish", "topic": "/scan", "msg": { "at": at } })
+                        .to_string();
                     all.iter().for_each(|id| self.send(*id, text.clone()));
                 }
             }
             "carry" => {
                 let side = rest.split(' ').nth(2).and_then(|name| name.parse::<Direction>().ok());
-                self.bridge.base.carry(number(0) as i32, number(1) as i32, side.unwrap_or(Direction::East));
+                self.bridge.base.carry(
+                    number(0) as i32,
+                    number(1) as i32,
+                    side.unwrap_or(Direction::East),
+                );
             }
             "origin" => {
                 self.bridge.plugs.origin = Pose { x: number(0), y: number(1), heading: number(2) };
             }
             "ros1" => {
-                (self.bridge.plugs.generation, self.bridge.plugs.command) = (Generation::One, Command::Twist);
+                (self.bridge.plugs.generation, self.bridge.plugs.command) =
+                    (Generation::One, Command::Twist);
             }
             "report" => {
                 let Twist { linear, angular } = self.bridge.base.twist;
                 let Pose { x, y, heading } = self.bridge.base.pose;
                 let state = self.bridge.base.state();
                 let agent = json!([state.agent.x, state.agent.y]);
-                return Some(json!({ "linear": linear, "angular": angular, "x": x, "y": y, "heading": heading,
-                    "agent": agent, "touches": self.bridge.base.touches, "stands": self.bridge.base.stands() }));
+                return Some(
+                    json!({ "linear": linear, "angular": angular, "x": x, "y": y, "heading": heading,
+                    "agent": agent, "touches": self.bridge.base.touches, "stands": self.bridge.base.stands() }),
+                );
             }
             _ => {}
         }

@@ -89,7 +89,8 @@ impl Rig {
     pub(crate) fn ask(&mut self, goal: &str) {
         let seen = self.pilot.driver.look().unwrap().unwrap();
         let brain = Brain::new(goal, &seen);
-        let states = brain.plan(std::slice::from_ref(&seen)).unwrap();
+        let states = brain.plan(std::slice::from_ref(&seen));
+        let states = states.unwrap_or_else(|| panic!("no plan for {goal} in {seen:?}"));
         self.brain = Some(brain);
         self.event(Event::Route(states));
     }

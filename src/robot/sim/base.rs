@@ -168,7 +168,9 @@ impl Base {
         match cell_at(&self.world.rooms, &self.world.doors, x, y) {
             Cell::Wall => true,
             Cell::Floor => false,
-            Cell::Door(door) => self.world.doors.get(door).is_some_and(|door| door.lock == Lock::Locked),
+            Cell::Door(door) => {
+                self.world.doors.get(door).is_some_and(|door| door.lock == Lock::Locked)
+            }
         }
     }
 

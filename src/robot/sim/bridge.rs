@@ -168,8 +168,12 @@ impl Bridge {
                 let origin = self.plugs.origin;
                 let (sin, cos) = (libm::sin(origin.heading), libm::cos(origin.heading));
                 let seen = Pose {
-                    x: origin.x + cos * pose.x - sin * pose.y + self.noise.place * self.dice.normal(),
-                    y: origin.y + sin * pose.x + cos * pose.y + self.noise.place * self.dice.normal(),
+                    x: origin.x + cos * pose.x - sin * pose.y
+                        + self.noise.place * self.dice.normal(),
+                    y: origin.y
+                        + sin * pose.x
+                        + cos * pose.y
+                        + self.noise.place * self.dice.normal(),
                     heading: wrap(
                         origin.heading + pose.heading + self.noise.heading * self.dice.normal(),
                     ),

@@ -5,9 +5,9 @@ use super::bridge::{Bridge, Plugs};
 use super::noise::Noise;
 use crate::domain::State;
 use crate::robot::calibration::Calibration;
+use crate::robot::pilot::{Act, Input, Pilot};
 use crate::robot::stage::{Event, Halt, Stage, Told};
 use crate::robot::wiring::{Limits, Wiring};
-use crate::robot::pilot::{Act, Input, Pilot};
 
 /// Milliseconds of a rehearsal at most.
 const LONGEST: f64 = 1_800_000.0;
@@ -73,5 +73,10 @@ pub fn rehearse(states: &[State], size: f64, limits: Limits, seed: u64) -> Optio
         _ => None,
     };
     let is_done = states.len() < 2 || told.contains(&Told::Arrived);
-    Some(Rehearsal { is_done, seconds: (now - 1_000.0) / 1000.0, nearest: bridge.base.nearest, halt })
+    Some(Rehearsal {
+        is_done,
+        seconds: (now - 1_000.0) / 1000.0,
+        nearest: bridge.base.nearest,
+        halt,
+    })
 }

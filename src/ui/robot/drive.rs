@@ -60,8 +60,7 @@ pub(super) fn link(state: &mut State) {
             let body = Body { size: state.size, reach: state.limits().reach, ..Body::default() };
             // Every time anew, and the same for the same moment.
             let seed = state.now as u64;
-            state.bridge =
-                Some(Bridge::new(&state.world, body, Noise::default(), seed, state.now));
+            state.bridge = Some(Bridge::new(&state.world, body, Noise::default(), seed, state.now));
             state.pilot.driver.calibration =
                 Some(Calibration::plain(state.size, (0, 0), [0.0, 0.0]));
             state.link = Link::Open;

@@ -19,7 +19,8 @@ pub(super) fn pick(state: &mut State, place: usize) {
 /// Another world: nothing that was said or calibrated holds in it.
 pub(super) fn open(state: &mut State, world: World, preset: Option<usize>) {
     unlink(state);
-    state.wiring.bodies = world.objects.iter().map(|object| (object.name.clone(), String::new())).collect();
+    state.wiring.bodies =
+        world.objects.iter().map(|object| (object.name.clone(), String::new())).collect();
     state.pilot.place_in(world.clone(), None);
     (state.world, state.preset, state.said, state.rehearsal) = (world, preset, None, None);
     (state.marks, state.uncalibrated, state.undrawn) = (None, None, None);

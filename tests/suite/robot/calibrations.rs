@@ -1,10 +1,10 @@
 //! Calibration by four corners: any turn, size and shift is found, a mirror and a wrong corner are said.
 
 use super::world;
+use groundling::domain::text;
 use groundling::domain::{Cell, cell_at};
 use groundling::robot::calibration::{Calibration, Mark, Uncalibrated, corners};
 use groundling::robot::geometry::{Pose, wrap};
-use groundling::domain::text;
 use proptest::prelude::{prop_assert, proptest};
 
 /// Where the corners of a world lie that is turned, sized and shifted.
@@ -37,8 +37,10 @@ proptest! {
 #[test]
 fn what_does_not_fit_is_said() {
     let good = marks(0.4, 0.5, [1.0, -2.0]);
-    let mirrored: Vec<Mark> =
-        good.iter().map(|mark| Mark { metres: [-mark.metres[0], mark.metres[1]], ..*mark }).collect();
+    let mirrored: Vec<Mark> = good
+        .iter()
+        .map(|mark| Mark { metres: [-mark.metres[0], mark.metres[1]], ..*mark })
+        .collect();
     assert_eq!(Calibration::fit(&mirrored), Err(Uncalibrated::Mirrored));
     let mut wrong = good.clone();
     wrong[2].metres[0] += 0.8;

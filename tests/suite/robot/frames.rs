@@ -10,13 +10,19 @@ use serde_json::{Value, json};
 #[test]
 fn a_frame_that_is_written_reads_back() {
     for (text, op) in [
-        (r#"{"op":"advertise","id":"advertise:/cmd_vel:1","type":"geometry_msgs/Twist","topic":"/cmd_vel","latch":false,"queue_size":100}"#, "advertise"),
+        (
+            r#"{"op":"advertise","id":"advertise:/cmd_vel:1","type":"geometry_msgs/Twist","topic":"/cmd_vel","latch":false,"queue_size":100}"#,
+            "advertise",
+        ),
         (r#"{"op":"unadvertise","id":"a","topic":"/cmd_vel"}"#, "unadvertise"),
         (r#"{"op":"publish","topic":"/odom","msg":{"x":[1,null,"é"]}}"#, "publish"),
         (r#"{"op":"subscribe","topic":"/odom"}"#, "subscribe"),
         (r#"{"op":"unsubscribe","topic":"/odom"}"#, "unsubscribe"),
         (r#"{"op":"call_service","id":"x","service":"/rosapi/topics"}"#, "call_service"),
-        (r#"{"op":"service_response","id":"x","values":{"type":""},"result":true}"#, "service_response"),
+        (
+            r#"{"op":"service_response","id":"x","values":{"type":""},"result":true}"#,
+            "service_response",
+        ),
         (r#"{"op":"status","level":"error","msg":"no"}"#, "status"),
     ] {
         let frame = Frame::read(text).unwrap();
@@ -29,7 +35,10 @@ fn a_frame_that_is_written_reads_back() {
             assert_eq!(&value[name], field, "{name} of {written}");
         }
     }
-    assert_eq!(Frame::read(r#"{"op":"fragment","id":"x","data":"{","num":0,"total":2}"#), Ok(Frame::Other));
+    assert_eq!(
+        Frame::read(r#"{"op":"fragment","id":"x","data":"{","num":0,"total":2}"#),
+        Ok(Frame::Other)
+    );
 }
 
 #[test]
@@ -67,7 +76,9 @@ fn types_have_their_names_in_ros_1_and_2() {
     assert_eq!(Command::Twist.name(Generation::One), "geometry_msgs/Twist");
     assert_eq!(Command::TwistStamped.name(Generation::Two), "geometry_msgs/msg/TwistStamped");
     assert_eq!(Sighting::Odometry.name(Generation::Two), "nav_msgs/msg/Odometry");
-    for name in ["", "Twist", "other/Twist", "geometry_msgs/srv/Twist", "geometry_msgs/msg/msg/Twist"] {
+    for name in
+        ["", "Twist", "other/Twist", "geometry_msgs/srv/Twist", "geometry_msgs/msg/msg/Twist"]
+    {
         assert_eq!((Command::of(name), Sighting::of(name)), (None, None), "{name}");
     }
 }
@@ -92,10 +103,8 @@ fn a_velocity_that_is_no_number_is_no_message() {
     for generation in [Generation::One, Generation::Two] {
         for command in [Command::Twist, Command::TwistStamped] {
             for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-                let both = [
-                    Twist { linear: bad, angular: 0.0 },
-                    Twist { linear: 0.0, angular: bad },
-                ];
+                let both =
+                    [Twist { linear: bad, angular: 0.0 }, Twist { linear: 0.0, angular: bad }];
                 assert!(both.iter().all(|&twist| command.message(generation, twist).is_none()));
             }
             let twist = Twist { linear: 0.1, angular: -0.2 };
@@ -107,7 +116,10 @@ fn a_velocity_that_is_no_number_is_no_message() {
     assert_eq!(stamped["header"]["stamp"], json!({ "secs": 0, "nsecs": 0 }));
     let stamped = Command::TwistStamped.message(Generation::Two, Twist::STOP).unwrap();
     assert_eq!(stamped["header"], json!({ "stamp": { "sec": 0, "nanosec": 0 }, "frame_id": "" }));
-    assert_eq!(Twist { linear: f64::NAN, angular: 9.0 }.capped(0.2, 1.0), Twist { linear: 0.0, angular: 1.0 });
+    assert_eq!(
+        Twist { linear: f64::NAN, angular: 9.0 }.capped(0.2, 1.0),
+        Twist { linear: 0.0, angular: 1.0 }
+    );
 }
 
 proptest! {
@@ -118,8 +130,8 @@ proptest! {
     }
 
     #[test]
-    fn a_frame_of_any_words_reads_back(topic in any::<String>(), x in any::<f64>()) {
-        let frame = Frame::Publish { id: Some(topic.clone()), topic, msg: json!({ "x": x }) };
+    fn a_frame_of_any_words_reads_back(topic in any::<String>(), x in any::<i32>()) {
+        let frame = Frame::Publish { id: Some(topic.clone()), topic, msg: json!({ "x": f64::from(x) / 8.0 }) };
         prop_assert_eq!(Frame::read(&frame.write()), Ok(frame));
     }
 

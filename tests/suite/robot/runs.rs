@@ -36,7 +36,7 @@ fn commands() -> Vec<String> {
         "(near:<e,<e,t>> (the:<<e,t>,e> agent:<e,t>) {})",
         the("(yellow:<e,t> $0) (block:<e,t> $0)")
     );
-    let never = format!("(always:<t,p> (not:<t,t> {}))", go(&room("green")));
+    let never = format!("(always:<t,p> (not:<t,t> {}))", go(&room("blue")));
     let sequence = then(&go(&room("blue")), &then(&go(&room("red")), "done:p"));
     vec![
         go(&room("blue")),
@@ -47,7 +47,7 @@ fn commands() -> Vec<String> {
         bring(&room("blue")),
         go(&room("green")),
         go(&room("red")),
-        format!("(all:<p*,p> {never} {})", then(&go(&room("blue")), "done:p")),
+        format!("(all:<p*,p> {never} {})", then(&go(&room("green")), "done:p")),
         bring(&room("red")),
     ]
 }
@@ -72,7 +72,8 @@ fn ten_commands(seed: u64) -> Report {
         rig.event(Event::Held(true));
         rig.until(600_000.0, runs);
         let brain = rig.brain.as_ref().unwrap();
-        let is_done = brain.is_done(&rig.pilot.driver.run()) && rig.pilot.driver.stage == Stage::Ready;
+        let is_done =
+            brain.is_done(&rig.pilot.driver.run()) && rig.pilot.driver.stage == Stage::Ready;
         // What the robot believes is so is so.
         rig.event(Event::Held(false));
         rig.pass(500.0);

@@ -26,7 +26,10 @@ fn answered(session: &mut Session, velocity: &str, pose: &str) -> Vec<Value> {
     assert_eq!(asked.len(), 2);
     let mut frames = Vec::new();
     for (question, kind) in asked.iter().zip([velocity, pose]) {
-        assert_eq!((&question["op"], &question["service"]), (&json!("call_service"), &json!("/rosapi/topic_type")));
+        assert_eq!(
+            (&question["op"], &question["service"]),
+            (&json!("call_service"), &json!("/rosapi/topic_type"))
+        );
         let (news, more) = session.heard(&answer(&question["id"], kind));
         assert_eq!(news, vec![News::Known]);
         frames.extend(values(&more));
@@ -51,7 +54,9 @@ fn types_are_asked_and_used() {
         let frames = values(&session.arm(true));
         assert_eq!((&frames[0]["op"], &frames[0]["type"]), (&json!("advertise"), &json!(kind)));
         let Some(text) = session.publish(SLOW) else { panic!("nothing is published") };
-        let Ok(Frame::Publish { topic, msg, id: Some(id) }) = Frame::read(&text) else { panic!("{text}") };
+        let Ok(Frame::Publish { topic, msg, id: Some(id) }) = Frame::read(&text) else {
+            panic!("{text}")
+        };
         assert_eq!((topic.as_str(), command.velocity(&msg)), ("/cmd_vel", Ok(SLOW)));
         assert!(id.starts_with("publish:/cmd_vel:"));
         assert_eq!(session.publish(Twist { linear: f64::NAN, angular: 0.0 }), None);
@@ -138,9 +143,13 @@ fn nan_null_and_complaints_are_told_apart() {
         )
     };
     assert_eq!(said(&mut session, &pose("NaN")), "a bare NaN, which is no JSON");
-    assert_eq!(said(&mut session, &pose("null")), "/odom: null where a number belongs, in pose.pose.position.x");
+    assert_eq!(
+        said(&mut session, &pose("null")),
+        "/odom: null where a number belongs, in pose.pose.position.x"
+    );
     assert_eq!(said(&mut session, &pose("\"one\"")), "/odom: no number in pose.pose.position.x");
-    let complaint = r#"{"op":"status","level":"error","msg":"no such type","id":"advertise:/cmd_vel:3"}"#;
+    let complaint =
+        r#"{"op":"status","level":"error","msg":"no such type","id":"advertise:/cmd_vel:3"}"#;
     assert_eq!(said(&mut session, complaint), "the bridge says: no such type");
     assert!(matches!(&session.heard(&pose("1.0")).0[..], [News::Robot(_)]));
     assert_eq!(session.heard(r#"{"op":"status","level":"info","msg":"hello"}"#).0, vec![]);

@@ -63,7 +63,8 @@ impl Client {
             Ok(Message::Text(text)) => self.take(Input::Heard(text.to_string())),
             Ok(Message::Close(_)) => self.closed(),
             Ok(_) => {}
-            Err(Error::Io(error)) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {}
+            Err(Error::Io(error))
+                if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::TimedOut) => {}
             Err(_) => self.closed(),
         }
         self.take(Input::Event(Event::Tick));
@@ -130,7 +131,11 @@ fn a_link_that_breaks_and_comes_back_brings_nothing_of_before() {
     let mut ops = client.ops(before);
     ops.sort();
     assert_eq!(ops, ["call_service", "call_service", "subscribe"]);
-    assert_eq!(client.pilot.check(Check::Stops, client.now()), None, "the base is to be seen to again");
+    assert_eq!(
+        client.pilot.check(Check::Stops, client.now()),
+        None,
+        "the base is to be seen to again"
+    );
 }
 
 #[test]

@@ -53,9 +53,8 @@ pub(super) fn drive(state: &State, act: &Callback<Action>) -> Html {
     let is_armed = matches!(pilot.driver.stage, Stage::Ready | Stage::Driving);
     let can_arm = is_armed || pilot.driver.stage == Stage::Off && pilot.is_fit(state.now);
     let chosen = SPEEDS.iter().position(|speed| *speed == state.limits().speed).unwrap_or(1);
-    let speed = act.reform(|place: usize| {
-        Action::Speed(SPEEDS.get(place).copied().unwrap_or_default())
-    });
+    let speed =
+        act.reform(|place: usize| Action::Speed(SPEEDS.get(place).copied().unwrap_or_default()));
     html! {
         <section class="card step" aria-labelledby="drive-title">
             <h2 id="drive-title">{ text.drive }</h2>

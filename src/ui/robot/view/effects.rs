@@ -100,7 +100,8 @@ impl Effects {
             match talking(&told).await {
                 Ok(engine) => {
                     let mut talker = talker.borrow_mut();
-                    let posted = talker.waiting.drain(..).try_for_each(|envelope| engine.post(&envelope));
+                    let posted =
+                        talker.waiting.drain(..).try_for_each(|envelope| engine.post(&envelope));
                     talker.engine = Some(engine);
                     if let Err(error) = posted {
                         act.emit(Action::EngineBroke(host::words(&error)));

@@ -57,7 +57,8 @@ fn topics(state: &State, act: &Callback<Action>) -> Html {
             (generation, command) == (types.generation, types.command)
         })
     });
-    let name = |(generation, command): &(_, crate::robot::message::Command)| command.name(*generation);
+    let name =
+        |(generation, command): &(_, crate::robot::message::Command)| command.name(*generation);
     let names: Vec<String> =
         std::iter::once(text.types_asked.to_owned()).chain(TYPES.iter().map(name)).collect();
     let types = act.reform(|place: usize| Action::Types(place.checked_sub(1)));

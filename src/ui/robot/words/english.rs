@@ -30,8 +30,12 @@ pub(super) static ENGLISH: Text = Text {
     start: "Start it",
     end: "Put it away",
     fault: |fault| match fault {
-        Fault::NoSocket => "An address of a rosbridge begins with ws:// or wss:// and names a machine, such as ws://192.168.0.20:9090.",
-        Fault::Mixed => "This page came over https, and from such a page browsers open ws:// to their own machine only. Either load this page over http (the guide says how to serve it from the robot itself), or reach the robot by wss://, or by ws://localhost through a tunnel: ssh -L 9090:localhost:9090 ROBOT.",
+        Fault::NoSocket => {
+            "An address of a rosbridge begins with ws:// or wss:// and names a machine, such as ws://192.168.0.20:9090."
+        }
+        Fault::Mixed => {
+            "This page came over https, and from such a page browsers open ws:// to their own machine only. Either load this page over http (the guide says how to serve it from the robot itself), or reach the robot by wss://, or by ws://localhost through a tunnel: ssh -L 9090:localhost:9090 ROBOT."
+        }
     },
     linked: |link| match link {
         Link::Off => "Not connected.",
@@ -75,14 +79,23 @@ pub(super) static ENGLISH: Text = Text {
     here_help: "Put the robot in the middle of the cell where it is drawn, looking the way it is drawn. Good for wheel odometry.",
     corners: "By four corners",
     corners_help: "Put the robot in four cells, one after another. Best for motion capture, and it finds how large a cell is.",
-    corner: |at, of, cell| format!("{at} of {of}: put the robot in the middle of {cell}, and wait until it stands."),
+    corner: |at, of, cell| {
+        format!("{at} of {of}: put the robot in the middle of {cell}, and wait until it stands.")
+    },
     note: "It stands there",
-    calibrated: |size, off| format!("Calibrated: a cell measures {size:.2} m; the worst place is {:.0} % of a cell off.", 100.0 * off),
-    uncalibrated: |why| match why {
+    calibrated: |size, off| {
+        format!(
+            "Calibrated: a cell measures {size:.2} m; the worst place is {:.0} % of a cell off.",
+            100.0 * off
+        )
+    },
+    uncalibrated: |why| {
+        match why {
         Uncalibrated::TooFew => "The places were one and the same. Do it again.".to_owned(),
         Uncalibrated::Mirrored => "The corners were taken the wrong way round: they fit the rooms in a mirror only. Do it again, in the order shown.".to_owned(),
         Uncalibrated::Off(off) => format!("The corners do not fit: one is {off:.1} cells off. Do it again."),
         Uncalibrated::Size(size) => format!("A cell would measure {size:.2} m, which cannot be. Do it again."),
+    }
     },
 
     dry: "Dry run",
@@ -103,8 +116,15 @@ pub(super) static ENGLISH: Text = Text {
     try_help: "Now hold the key: it turns a little, is left without a word, and has to stop.",
     rehearse: "Rehearse the plan",
     rehearsed: |rehearsal| match &rehearsal.halt {
-        None if rehearsal.is_done => format!("In rehearsal it took {:.0} seconds, and {:.0} cm were left to the nearest wall.", rehearsal.seconds, 100.0 * rehearsal.nearest),
-        None => format!("In rehearsal it would have had to think again after {:.0} seconds.", rehearsal.seconds),
+        None if rehearsal.is_done => format!(
+            "In rehearsal it took {:.0} seconds, and {:.0} cm were left to the nearest wall.",
+            rehearsal.seconds,
+            100.0 * rehearsal.nearest
+        ),
+        None => format!(
+            "In rehearsal it would have had to think again after {:.0} seconds.",
+            rehearsal.seconds
+        ),
         Some(why) => format!("In rehearsal it stopped. {}", halt(why)),
     },
     came_wrong: |bad| format!("Last trouble: {bad}."),
@@ -121,14 +141,17 @@ pub(super) static ENGLISH: Text = Text {
     stop: "Stop",
     stage: |stage| match stage {
         Stage::Off => "Off: nothing is sent.".to_owned(),
-        Stage::Trying(trial) if trial.is_waiting() => "Hold the key to see whether it stops by itself.".to_owned(),
+        Stage::Trying(trial) if trial.is_waiting() => {
+            "Hold the key to see whether it stops by itself.".to_owned()
+        }
         Stage::Trying(_) => "Keep holding …".to_owned(),
         Stage::Ready => "Ready: hold the key to drive.".to_owned(),
         Stage::Driving => "Driving.".to_owned(),
         Stage::Halted(why) => format!("Stopped. {}", halt(why)),
     },
     halt,
-    told: |told| match told {
+    told: |told| {
+        match told {
         Told::Stops(ms) => format!("It stops by itself, within {:.1} seconds.", f64::from(*ms) / 1000.0),
         Told::Untried(Untried::GoesOn) => "It went on turning though it heard nothing: its base has no timeout, and is not to be driven over a link. The guide says how to give it one.".to_owned(),
         Told::Untried(Untried::Still) => "It did not turn. Is it switched on, and is that the right topic?".to_owned(),
@@ -138,6 +161,7 @@ pub(super) static ENGLISH: Text = Text {
         Told::Arrived => "Done.".to_owned(),
         Told::Rethinks => "The world is not where it was expected: it thinks again.".to_owned(),
         Told::Halted(why) => format!("Stopped. {}", halt(why)),
+    }
     },
 
     command: "Your command to the robot",
@@ -171,9 +195,15 @@ fn halt(why: &Halt) -> String {
         Halt::Backlog => "What is sent does not leave this machine.".to_owned(),
         Halt::Slept => "The page itself stood still for too long.".to_owned(),
         Halt::Bad(bad) => format!("What came in is not as it should be: {bad}."),
-        Halt::Unseen(Unseen::Robot(x, y)) => format!("It is seen at column {x}, row {y}, where there is no floor: calibrate again."),
-        Halt::Unseen(Unseen::Body(_)) => "A tracked thing is seen where there is no floor.".to_owned(),
-        Halt::Unseen(Unseen::Shared(x, y)) => format!("Two things are seen at column {x}, row {y}."),
+        Halt::Unseen(Unseen::Robot(x, y)) => {
+            format!("It is seen at column {x}, row {y}, where there is no floor: calibrate again.")
+        }
+        Halt::Unseen(Unseen::Body(_)) => {
+            "A tracked thing is seen where there is no floor.".to_owned()
+        }
+        Halt::Unseen(Unseen::Shared(x, y)) => {
+            format!("Two things are seen at column {x}, row {y}.")
+        }
         Halt::Stuck => "A step took too long: is something in its way?".to_owned(),
         Halt::TooOften => "It had to think again too often.".to_owned(),
         Halt::NoWay => "From here there is no way to do that any more.".to_owned(),

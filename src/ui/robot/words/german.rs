@@ -32,8 +32,12 @@ pub(super) static GERMAN: Text = Text {
     start: "Starten",
     end: "Wegräumen",
     fault: |fault| match fault {
-        Fault::NoSocket => "Die Adresse einer rosbridge beginnt mit ws:// oder wss:// und nennt einen Rechner, etwa ws://192.168.0.20:9090.",
-        Fault::Mixed => "Diese Seite kam über https, und von einer solchen öffnen Browser ws:// nur zum eigenen Rechner. Laden Sie die Seite über http (die Anleitung sagt, wie der Roboter sie selbst ausliefert), oder erreichen Sie den Roboter über wss:// oder durch einen Tunnel über ws://localhost: ssh -L 9090:localhost:9090 ROBOTER.",
+        Fault::NoSocket => {
+            "Die Adresse einer rosbridge beginnt mit ws:// oder wss:// und nennt einen Rechner, etwa ws://192.168.0.20:9090."
+        }
+        Fault::Mixed => {
+            "Diese Seite kam über https, und von einer solchen öffnen Browser ws:// nur zum eigenen Rechner. Laden Sie die Seite über http (die Anleitung sagt, wie der Roboter sie selbst ausliefert), oder erreichen Sie den Roboter über wss:// oder durch einen Tunnel über ws://localhost: ssh -L 9090:localhost:9090 ROBOTER."
+        }
     },
     linked: |link| match link {
         Link::Off => "Nicht verbunden.",
@@ -77,14 +81,25 @@ pub(super) static GERMAN: Text = Text {
     here_help: "Stellen Sie den Roboter in die Mitte der Zelle, in der er gezeichnet ist, mit dem gezeichneten Blick. Gut für die Odometrie der Räder.",
     corners: "Mit vier Ecken",
     corners_help: "Stellen Sie den Roboter nacheinander in vier Zellen. Am besten für Motion Capture; findet auch, wie groß eine Zelle ist.",
-    corner: |at, of, cell| format!("{at} von {of}: Stellen Sie den Roboter in die Mitte von {cell}, und warten Sie, bis er steht."),
+    corner: |at, of, cell| {
+        format!(
+            "{at} von {of}: Stellen Sie den Roboter in die Mitte von {cell}, und warten Sie, bis er steht."
+        )
+    },
     note: "Er steht dort",
-    calibrated: |size, off| format!("Kalibriert: Eine Zelle misst {size:.2} m; der schlechteste Ort liegt {:.0} % einer Zelle daneben.", 100.0 * off),
-    uncalibrated: |why| match why {
+    calibrated: |size, off| {
+        format!(
+            "Kalibriert: Eine Zelle misst {size:.2} m; der schlechteste Ort liegt {:.0} % einer Zelle daneben.",
+            100.0 * off
+        )
+    },
+    uncalibrated: |why| {
+        match why {
         Uncalibrated::TooFew => "Die Orte waren ein und derselbe. Bitte noch einmal.".to_owned(),
         Uncalibrated::Mirrored => "Die Ecken kamen falsch herum: Sie passen nur auf die gespiegelten Räume. Bitte noch einmal, in der gezeigten Reihenfolge.".to_owned(),
         Uncalibrated::Off(off) => format!("Die Ecken passen nicht: Eine liegt {off:.1} Zellen daneben. Bitte noch einmal."),
         Uncalibrated::Size(size) => format!("Eine Zelle würde {size:.2} m messen, was nicht sein kann. Bitte noch einmal."),
+    }
     },
 
     dry: "Trockenlauf",
@@ -105,8 +120,15 @@ pub(super) static GERMAN: Text = Text {
     try_help: "Halten Sie jetzt die Taste: Er dreht sich ein wenig, hört dann nichts mehr und muss halten.",
     rehearse: "Den Plan proben",
     rehearsed: |rehearsal| match &rehearsal.halt {
-        None if rehearsal.is_done => format!("In der Probe brauchte er {:.0} Sekunden, und {:.0} cm blieben zur nächsten Wand.", rehearsal.seconds, 100.0 * rehearsal.nearest),
-        None => format!("In der Probe hätte er nach {:.0} Sekunden neu nachdenken müssen.", rehearsal.seconds),
+        None if rehearsal.is_done => format!(
+            "In der Probe brauchte er {:.0} Sekunden, und {:.0} cm blieben zur nächsten Wand.",
+            rehearsal.seconds,
+            100.0 * rehearsal.nearest
+        ),
+        None => format!(
+            "In der Probe hätte er nach {:.0} Sekunden neu nachdenken müssen.",
+            rehearsal.seconds
+        ),
         Some(why) => format!("In der Probe hielt er an. {}", halt(why)),
     },
     came_wrong: |bad| format!("Letzte Störung: {}.", said(bad)),
@@ -123,14 +145,17 @@ pub(super) static GERMAN: Text = Text {
     stop: "Halt",
     stage: |stage| match stage {
         Stage::Off => "Aus: Nichts wird gesendet.".to_owned(),
-        Stage::Trying(trial) if trial.is_waiting() => "Halten Sie die Taste, um zu sehen, ob er von selbst hält.".to_owned(),
+        Stage::Trying(trial) if trial.is_waiting() => {
+            "Halten Sie die Taste, um zu sehen, ob er von selbst hält.".to_owned()
+        }
         Stage::Trying(_) => "Weiter halten …".to_owned(),
         Stage::Ready => "Bereit: Halten Sie die Taste zum Fahren.".to_owned(),
         Stage::Driving => "Er fährt.".to_owned(),
         Stage::Halted(why) => format!("Angehalten. {}", halt(why)),
     },
     halt,
-    told: |told| match told {
+    told: |told| {
+        match told {
         Told::Stops(ms) => format!("Er hält von selbst, innerhalb von {:.1} Sekunden.", f64::from(*ms) / 1000.0),
         Told::Untried(Untried::GoesOn) => "Er drehte sich weiter, obwohl er nichts hörte: Seine Basis hat kein Zeitlimit und darf nicht über eine Verbindung gefahren werden. Die Anleitung sagt, wie sie eines bekommt.".to_owned(),
         Told::Untried(Untried::Still) => "Er drehte sich nicht. Ist er eingeschaltet, und ist es das richtige Topic?".to_owned(),
@@ -140,6 +165,7 @@ pub(super) static GERMAN: Text = Text {
         Told::Arrived => "Getan.".to_owned(),
         Told::Rethinks => "Die Welt ist nicht, wo sie erwartet wurde: Er denkt neu nach.".to_owned(),
         Told::Halted(why) => format!("Angehalten. {}", halt(why)),
+    }
     },
 
     command: "Ihr Befehl an den Roboter, auf Englisch",
@@ -147,7 +173,9 @@ pub(super) static GERMAN: Text = Text {
     go: "Planen",
     thinking: "Er denkt nach …",
     loading: "Was es braucht, um Sie zu verstehen, wird geladen …",
-    no_model: |why| format!("Was es braucht, um Sie zu verstehen, konnte nicht geladen werden ({why})."),
+    no_model: |why| {
+        format!("Was es braucht, um Sie zu verstehen, konnte nicht geladen werden ({why}).")
+    },
     meant: "Verstanden:",
     which_meant: "Was davon meinen Sie?",
     plan: |done, of| format!("Schritt {done} von {of}."),
@@ -173,9 +201,15 @@ fn halt(why: &Halt) -> String {
         Halt::Backlog => "Was gesendet wird, verlässt diesen Rechner nicht.".to_owned(),
         Halt::Slept => "Die Seite selbst stand zu lange still.".to_owned(),
         Halt::Bad(bad) => format!("Was hereinkam, ist nicht, wie es sein soll: {}.", said(bad)),
-        Halt::Unseen(Unseen::Robot(x, y)) => format!("Er ist in Spalte {x}, Zeile {y} zu sehen, wo kein Boden ist: Kalibrieren Sie neu."),
-        Halt::Unseen(Unseen::Body(_)) => "Ein verfolgtes Ding ist zu sehen, wo kein Boden ist.".to_owned(),
-        Halt::Unseen(Unseen::Shared(x, y)) => format!("Zwei Dinge sind in Spalte {x}, Zeile {y} zu sehen."),
+        Halt::Unseen(Unseen::Robot(x, y)) => format!(
+            "Er ist in Spalte {x}, Zeile {y} zu sehen, wo kein Boden ist: Kalibrieren Sie neu."
+        ),
+        Halt::Unseen(Unseen::Body(_)) => {
+            "Ein verfolgtes Ding ist zu sehen, wo kein Boden ist.".to_owned()
+        }
+        Halt::Unseen(Unseen::Shared(x, y)) => {
+            format!("Zwei Dinge sind in Spalte {x}, Zeile {y} zu sehen.")
+        }
         Halt::Stuck => "Ein Schritt dauerte zu lange: Ist etwas im Weg?".to_owned(),
         Halt::TooOften => "Er musste zu oft neu nachdenken.".to_owned(),
         Halt::NoWay => "Von hier führt kein Weg mehr dahin.".to_owned(),
