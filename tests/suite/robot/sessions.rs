@@ -155,3 +155,21 @@ fn nan_null_and_complaints_are_told_apart() {
     assert_eq!(session.heard(r#"{"op":"status","level":"info","msg":"hello"}"#).0, vec![]);
     assert_eq!(session.heard(r#"{"op":"publish","topic":"/scan","msg":{}}"#).0, vec![]);
 }
+
+/// The frames of a whole conversation, which other clients' are held against: `tests/e2e/flows/28-robot-clients.mjs`,
+/// `tests/peers/roslibpy_client.py`.
+const FRAMES: &str = include_str!("../../data/robot/frames.jsonl");
+
+#[test]
+fn the_frames_of_a_conversation_are_those_of_the_file() {
+    let mut session = Session::new(Wiring::default());
+    let mut frames = session.opened();
+    for (kind, id) in ["geometry_msgs/msg/TwistStamped", "nav_msgs/msg/Odometry"].iter().zip(["1", "2"]) {
+        let id = json!(format!("call_service:/rosapi/topic_type:{id}"));
+        frames.extend(session.heard(&answer(&id, kind)).1);
+    }
+    frames.extend(session.arm(true));
+    frames.extend(session.publish(SLOW));
+    frames.extend(session.arm(false));
+    assert_eq!(frames.join("\n") + "\n", FRAMES);
+}
