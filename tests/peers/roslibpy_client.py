@@ -64,7 +64,7 @@ def main(binary, expected):
     odometry = roslibpy.Topic(ros, "/odom", "nav_msgs/msg/Odometry", queue_length=1)
     odometry.subscribe(heard.append)
     pose = until(lambda: heard and heard[0]["pose"]["pose"]["position"])
-    check("a pose", bool(pose) and abs(pose["x"] - 4) < 0.2, True)
+    check("a pose", bool(pose) and abs(pose["x"] - 3) < 0.2, True)
     topic = roslibpy.Topic(ros, "/cmd_vel", "geometry_msgs/msg/TwistStamped", queue_size=1)
     topic.advertise()
     topic.publish(roslibpy.Message(velocity))

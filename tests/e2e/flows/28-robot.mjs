@@ -127,6 +127,7 @@ peered('an emergency stop by key, by button and by letting go stops it', { secon
   await robot.letGo();
   await robot.press('release');
   await robot.press('arm');
+  await robot.at('ready');
   // The button on the page is a dead man's key, too.
   await robot.by('hold').scrollIntoViewIfNeeded();
   const box = await robot.by('hold').boundingBox();

@@ -164,7 +164,9 @@ const FRAMES: &str = include_str!("../../data/robot/frames.jsonl");
 fn the_frames_of_a_conversation_are_those_of_the_file() {
     let mut session = Session::new(Wiring::default());
     let mut frames = session.opened();
-    for (kind, id) in ["geometry_msgs/msg/TwistStamped", "nav_msgs/msg/Odometry"].iter().zip(["1", "2"]) {
+    for (kind, id) in
+        ["geometry_msgs/msg/TwistStamped", "nav_msgs/msg/Odometry"].iter().zip(["1", "2"])
+    {
         let id = json!(format!("call_service:/rosapi/topic_type:{id}"));
         frames.extend(session.heard(&answer(&id, kind)).1);
     }

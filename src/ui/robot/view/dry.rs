@@ -4,7 +4,7 @@ use crate::robot::{Check, Stage};
 use crate::ui::page::view::select::select;
 use crate::ui::page::view::sends::sends;
 use crate::ui::robot::action::Action;
-use crate::ui::robot::state::{SPEEDS, State};
+use crate::ui::robot::state::{Link, SPEEDS, State};
 use crate::ui::robot::words::Text;
 use yew::{Callback, Html, html};
 
@@ -14,7 +14,9 @@ pub(super) fn dry(state: &State, act: &Callback<Action>) -> Html {
     let pilot = &state.pilot;
     let is_waiting = matches!(&pilot.driver.stage, Stage::Trying(trial) if trial.is_waiting());
     let one = |check: Check| {
-        let (sign, words, class) = match pilot.check(check, state.now) {
+        // Where no link is wanted nothing is amiss.
+        let found = pilot.check(check, state.now).filter(|_| state.link != Link::Off);
+        let (sign, words, class) = match found {
             Some(true) => ("✓", text.good, "good"),
             Some(false) => ("✗", text.bad, "bad"),
             None => ("·", text.open, "open"),

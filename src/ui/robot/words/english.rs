@@ -83,11 +83,12 @@ pub(super) static ENGLISH: Text = Text {
         format!("{at} of {of}: put the robot in the middle of {cell}, and wait until it stands.")
     },
     note: "It stands there",
-    calibrated: |size, off| {
-        format!(
+    calibrated: |size, off| match off {
+        0.0 => format!("Calibrated: a cell measures {size:.2} m."),
+        off => format!(
             "Calibrated: a cell measures {size:.2} m; the worst place is {:.0} % of a cell off.",
             100.0 * off
-        )
+        ),
     },
     uncalibrated: |why| {
         match why {

@@ -87,11 +87,12 @@ pub(super) static GERMAN: Text = Text {
         )
     },
     note: "Er steht dort",
-    calibrated: |size, off| {
-        format!(
+    calibrated: |size, off| match off {
+        0.0 => format!("Kalibriert: Eine Zelle misst {size:.2} m."),
+        off => format!(
             "Kalibriert: Eine Zelle misst {size:.2} m; der schlechteste Ort liegt {:.0} % einer Zelle daneben.",
             100.0 * off
-        )
+        ),
     },
     uncalibrated: |why| {
         match why {
