@@ -3,56 +3,16 @@
 
 use super::drive::event;
 use super::effect::Effect;
+use super::place;
 use super::state::{Said, State};
+use super::think::{RULES, send, wake};
 use crate::domain::State as World;
 use crate::robot::Event as Drive;
-use crate::ui::page::engine::{Engine, Health};
-use crate::ui::page::engines::{News, Owner};
-use crate::ui::page::language::Language;
-use crate::worker::protocol::{Event, PlanText, Program, Request, WorldRules};
-
-/// What a robot can do that is driven by wheels.
-pub const RULES: WorldRules = WorldRules {
-    pull: false,
-    robot: true,
-    landmarks_stay: true,
-    slip: 0.0,
-    lock: 0.0,
-    loss: 0.0,
-    luck: 0,
-};
+use crate::ui::page::engines::News;
+use crate::worker::protocol::{Event, PlanText, Request};
 
 /// Characters that a command may have.
 const MOST: usize = 400;
-
-impl Owner for State {
-    type Effect = Effect;
-
-    fn engine(&mut self, _program: Program) -> (&mut Engine, &mut Vec<Effect>) {
-        (&mut self.talker, &mut self.wanted)
-    }
-
-    fn language(&self) -> Language {
-        self.language
-    }
-
-    fn say(&mut self, words: &str) {
-        words.clone_into(&mut self.announcement);
-    }
-}
-
-/// Has the engine that talks loaded, and its model fetched, if they are not yet.
-pub(super) fn wake(state: &mut State) {
-    if state.talker.health == Health::Asleep {
-        state.talker.wake(&mut state.wanted);
-        state.wanted.push(Effect::FetchModel);
-    }
-}
-
-/// Sends a request.
-pub(super) fn send(state: &mut State, request: Request) {
-    state.talker.send(request, false, &mut state.wanted);
-}
 
 /// The world that a command is said in.
 fn world(state: &State) -> World {
@@ -60,11 +20,6 @@ fn world(state: &State) -> World {
         Some(Ok(seen)) => seen,
         _ => state.pilot.driver.world.clone(),
     }
-}
-
-/// Whether something is being thought of.
-pub fn is_asking(state: &State) -> bool {
-    state.talker.is_at(|request| matches!(request, Request::Ask { .. } | Request::Plan { .. }))
 }
 
 /// The command is this now.
@@ -94,16 +49,6 @@ pub(super) fn choose(state: &mut State, place: usize) {
     send(state, Request::Plan { form, state: world, rules: RULES });
 }
 
-/// The robot is to think again, from where its run has led.
-pub(super) fn again(state: &mut State, run: Vec<World>) {
-    let said = state.said.as_ref();
-    let reading = said.and_then(|said| said.answer.readings.get(said.chosen?));
-    match reading.map(|reading| reading.form.clone()).zip(run.last().cloned()) {
-        Some((form, world)) => send(state, Request::Plan { form, state: world, rules: RULES }),
-        None => event(state, Drive::Again(None)),
-    }
-}
-
 /// The engine has news.
 pub(super) fn hear(state: &mut State, news: News) {
     match news {
@@ -131,7 +76,7 @@ pub(super) fn hear(state: &mut State, news: News) {
             }
         }
         News::Answer(Request::ReadWorld { .. }, Event::World(world)) => {
-            super::place::open(state, world, None);
+            place::open(state, world, None);
         }
         News::Answer(Request::ReadWorld { .. }, Event::Refused { message }) => {
             state.undrawn = Some(message);

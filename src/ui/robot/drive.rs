@@ -1,9 +1,9 @@
 //! Driving: what comes over the link, what a person does and the time that goes by are given to the pilot, and what it wants
 //! goes to the link, the planner, or the person. A robot that is simulated takes the frames in place of a link.
 
-use super::ask;
 use super::effect::Effect;
 use super::state::{Kind, Link, State};
+use super::think;
 use super::words::Text;
 use crate::robot::address::address;
 use crate::robot::calibration::Calibration;
@@ -21,7 +21,11 @@ pub(super) fn take(state: &mut State, input: Input) {
                 Some(bridge) => bridge.hear(&text, state.now),
                 None => state.wanted.push(Effect::Send(text)),
             },
-            Act::Plan(run) => ask::again(state, run),
+            Act::Plan(run) => {
+                if !think::again(state, &run) {
+                    event(state, Event::Again(None));
+                }
+            }
             Act::Tell(told) => tell(state, told),
         }
     }
@@ -53,7 +57,7 @@ pub(super) fn link(state: &mut State) {
     if state.link != Link::Off {
         return;
     }
-    ask::wake(state);
+    think::wake(state);
     renew(state);
     match state.kind {
         Kind::Simulated => {

@@ -10,6 +10,7 @@ pub mod talker;
 pub mod action;
 pub mod effect;
 pub mod state;
+pub mod think;
 pub mod drive;
 pub mod place;
 pub mod ask;

@@ -5,11 +5,11 @@ use super::ask;
 use super::drive::{self, event};
 use super::effect::Effect;
 use super::place;
-use super::state::{Kind, Link, State, Topic};
+use super::state::{Link, State, Topic};
+use super::think;
 use crate::robot::Event;
 use crate::robot::sim::rehearse;
 use crate::robot::wiring::Limits;
-use crate::ui::page::engine::Health;
 use crate::ui::page::engines::{self, heard, look, stopped};
 use crate::worker::protocol::{Program, Request};
 
@@ -58,9 +58,9 @@ fn act(state: &mut State, action: Action) {
         Action::World(at) => place::pick(state, at),
         Action::Drawing(drawing) => state.drawing = drawing,
         Action::Draw => {
-            ask::wake(state);
+            think::wake(state);
             let text = state.drawing.clone();
-            ask::send(state, Request::ReadWorld { text });
+            think::send(state, Request::ReadWorld { text });
         }
         Action::Size(size) => place::size(state, size),
         Action::Here => place::here(state),
@@ -106,9 +106,9 @@ fn act(state: &mut State, action: Action) {
             state.model = None;
             state.wanted.push(Effect::FetchModel);
         }
-        Action::Model(Ok(text)) => ask::send(state, Request::OpenModel { text }),
+        Action::Model(Ok(text)) => think::send(state, Request::OpenModel { text }),
         Action::Model(Err(why)) => state.model = Some(Err(why)),
-        Action::Words(Ok(text)) => ask::send(state, Request::Words { text }),
+        Action::Words(Ok(text)) => think::send(state, Request::Words { text }),
         // Without them everything works that is said in words of the lexicon.
         Action::Words(Err(_)) => {}
     }
@@ -125,17 +125,4 @@ fn named(state: &mut State, topic: Topic, name: String) {
             }
         }
     }
-}
-
-/// Whether the engine that talks has stopped, and why.
-pub fn engine_fault(state: &State) -> Option<&str> {
-    match &state.talker.health {
-        Health::Stopped(why) => Some(why),
-        _ => None,
-    }
-}
-
-/// Whether the robot is the page's own.
-pub fn is_simulated(state: &State) -> bool {
-    state.kind == Kind::Simulated
 }

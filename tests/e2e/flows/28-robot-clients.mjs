@@ -28,8 +28,8 @@ flow('roslib and the page send the same frames, and each reads the other’s', {
     const typeOf = new Service({ ros, name: '/rosapi/topic_type', serviceType: 'rosapi/TopicType' });
     const asked = (topic) => new Promise((resolve, reject) => { typeOf.callService({ topic }, resolve, reject); });
     // Accepted: an answer that the page's own code has written.
-    await t.equal((await asked('/cmd_vel')).type, 'geometry_msgs/msg/TwistStamped', 'an answer');
-    await t.equal((await asked('/odom')).type, 'nav_msgs/msg/Odometry', 'another');
+    const answers = [await asked('/cmd_vel'), await asked('/odom')].map(({ type }) => type);
+    await t.equal(answers, ['geometry_msgs/msg/TwistStamped', 'nav_msgs/msg/Odometry'], 'its answers');
     const odometry = new Topic({ ros, name: '/odom', messageType: 'nav_msgs/msg/Odometry', queue_length: 1 });
     const seen = await new Promise((resolve) => { odometry.subscribe(resolve); });
     await t.check(Math.abs(seen.pose.pose.position.x - 3) < 0.2, `a pose of ${JSON.stringify(seen)}`);
