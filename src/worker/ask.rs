@@ -67,7 +67,7 @@ impl Asking {
             answer.plan = Some(no_plan(&self.state, "bad_goal"));
             return Asked::Answered(answer, None);
         };
-        match Planning::begin(&goal, &self.state, &self.rules) {
+        match Planning::begin(&goal, &self.state, &self.rules, true) {
             Ok(Begun::Work(planning)) => {
                 self.stage = Stage::Plan(answer, planning);
                 Asked::Working(None)

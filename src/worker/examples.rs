@@ -56,7 +56,7 @@ impl Looking {
             && answer.words.iter().all(|word| matches!(word.fate, Fate::Meant | Fate::Empty));
         let best = parse.answer().filter(|_| is_read)?;
         let goal = Goal::new(&model.grammar.terms, best.form, &self.state).ok()?;
-        match Planning::begin(&goal, &self.state, &self.rules).ok()? {
+        match Planning::begin(&goal, &self.state, &self.rules, false).ok()? {
             Begun::Work(planning) => self.planning = Some((command, planning, 0)),
             Begun::Done(plan) => return self.shows(&plan).then(|| self.found(Some(command))),
         }

@@ -21,6 +21,8 @@ const REPORT: u32 = 16;
 const BUDGET: (u64, usize) = (20_000_000, 1_500_000);
 /// The same where nothing is left to chance, and a plan is there at once: about a second.
 const SURE: u64 = 250_000;
+/// So much is spent on a plan that is to be walked soon, if there is one by then: a tenth of that.
+const SOON: u64 = 25_000;
 /// A run that takes more actions is given up.
 const MOST_ACTIONS: usize = 2_000;
 /// A robot that has thought again so often is lost.
@@ -54,6 +56,7 @@ pub(super) struct Planning {
     /// The solver of the beginning; its policy is what is kept.
     first: Auto<Problem>,
     outcome: Option<Outcome>,
+    is_hasty: bool,
     run: Run,
     steps: u32,
 }
@@ -85,11 +88,13 @@ pub(super) struct Planned {
 }
 
 impl Planning {
-    /// Begins to plan for a goal that was bound to `state`.
+    /// Begins to plan for a goal that was bound to `state`; in haste, if the first plan will do where nothing is left to
+    /// chance.
     pub(super) fn begin(
         goal: &Goal,
         state: &State,
         rules: &WorldRules,
+        is_hasty: bool,
     ) -> Result<Begun, PlanError> {
         let task = Rc::new(Task::new(goal, state, world(goal, state, rules)?)?);
         if goal.denies_nothing() || task.is_impossible() {
@@ -107,7 +112,7 @@ impl Planning {
             buffer: Vec::new(),
         };
         let first = solver(&task, task.initial());
-        Ok(Begun::Work(Box::new(Planning { task, first, outcome: None, run, steps: 0 })))
+        Ok(Begun::Work(Box::new(Planning { task, first, outcome: None, is_hasty, run, steps: 0 })))
     }
 
     /// Does a bounded part; the plan when it is there.
@@ -115,6 +120,11 @@ impl Planning {
         self.steps = self.steps.wrapping_add(1);
         if self.outcome.is_none() {
             self.outcome = self.first.step(STEPS);
+            let progress = || self.first.progress();
+            if self.is_hasty && self.task.is_deterministic() && progress().steps >= SOON {
+                // A plan that is known is worth something.
+                self.outcome = self.outcome.or((progress().lower > 0.0).then_some(Outcome::Budget));
+            }
             return None;
         }
         if self.outcome == Some(Outcome::Unreachable) || self.walk() {

@@ -141,7 +141,7 @@ fn plan(form: &str, state: &State, rules: &WorldRules) -> Result<Job<Talker>, St
     let mut terms = Terms::new();
     let term = read(&mut terms, form).map_err(|error| error.to_string())?;
     let goal = Goal::new(&terms, term, state).map_err(|error| error.to_string())?;
-    let begun = Planning::begin(&goal, state, rules).map_err(|error| error.to_string())?;
+    let begun = Planning::begin(&goal, state, rules, false).map_err(|error| error.to_string())?;
     let mut planning = match begun {
         Begun::Work(planning) => Some(planning),
         Begun::Done(plan) => {
