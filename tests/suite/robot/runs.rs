@@ -101,7 +101,7 @@ fn ten_commands_are_carried_out_with_noise_and_no_wall_is_touched() {
          {minutes:.1} minutes each, {again} times it thought again"
     );
     for (seed, report) in reports.iter().enumerate().filter(|(_, report)| report.done < 10) {
-        eprintln!("seed {seed}: {report:?}");
+        eprintln!("seed {seed}: {report:?}, told {:?} last", report.last);
     }
     assert!(20 * done >= 19 * SEEDS as usize);
     assert_eq!(touched, 0);

@@ -33,7 +33,12 @@ pub(super) fn watch(act: &Callback<Action>) {
         }
     });
     let gone = act.clone();
-    listen(&window, "blur", move |_| gone.emit(Action::Held(false)));
+    listen(&window, "blur", move |event| {
+        // Not where something on the page loses the keyboard to something else on it.
+        if event.target().is_some_and(|target| target.has_type::<Window>()) {
+            gone.emit(Action::Held(false));
+        }
+    });
     let closing = act.clone();
     listen(&window, "pagehide", move |_| closing.emit(Action::Closing));
 }
