@@ -241,8 +241,13 @@ fn told(report: &Value) -> String {
     }
     for task in report["tasks"].as_array().into_iter().flatten() {
         let name = task["task"].as_str().unwrap_or_default();
-        let agreement = task["agreement"].as_f64().unwrap_or_default();
-        lines.push(format!("{name}: {} answers, agreement {agreement:.2}", task["answers"]));
+        let (answers, agreement) = (&task["answers"], &task["agreement"]);
+        // Fewer than two have nothing to agree on.
+        let agreement = match answers.as_u64() {
+            Some(2..) => format!(", agreement {:.2}", agreement.as_f64().unwrap_or_default()),
+            _ => String::new(),
+        };
+        lines.push(format!("{name}: {answers} answers{agreement}"));
     }
     if let Some(found) = report.get("told_apart") {
         lines.push(format!(

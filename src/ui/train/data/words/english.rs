@@ -18,7 +18,7 @@ pub(super) static ENGLISH: Text = Text {
     busy: "Training is at work on the corpus that is open. Stop it first, then open another.",
     commands: |n| format!("{n} commands"),
     rejected: |n| format!(", {n} rejected"),
-    left_out: |n| format!(", {n} bad rows left out"),
+    left_out: |n| format!(", {n} bad {} left out", if n == 1 { "row" } else { "rows" }),
     held_out: |n| format!(", {n} held out"),
     use_rejected: "Use rejected rows too",
     leave_rejected: "Leave rejected rows out",
@@ -45,8 +45,8 @@ pub(super) static ENGLISH: Text = Text {
     },
 
     // Problems.
-    problems: |n| format!(", {n} problems"),
-    rows_to_look_at: |n| format!("{n} problems in the file"),
+    problems: |n| format!(", {n} {}", if n == 1 { "problem" } else { "problems" }),
+    rows_to_look_at: |n| format!("{n} {} in the file", if n == 1 { "problem" } else { "problems" }),
     line: |n| format!("line {n}"),
     file: "file",
     row_kept: " · row kept",

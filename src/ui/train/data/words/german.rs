@@ -18,7 +18,9 @@ pub(super) static GERMAN: Text = Text {
     busy: "Auf dem offenen Korpus wird gerade trainiert. Erst anhalten, dann einen anderen öffnen.",
     commands: |n| format!("{n} Befehle"),
     rejected: |n| format!(", {n} abgelehnt"),
-    left_out: |n| format!(", {n} fehlerhafte Zeilen ausgelassen"),
+    left_out: |n| {
+        format!(", {n} fehlerhafte {} ausgelassen", if n == 1 { "Zeile" } else { "Zeilen" })
+    },
     held_out: |n| format!(", {n} zurückgehalten"),
     use_rejected: "Abgelehnte Zeilen auch verwenden",
     leave_rejected: "Abgelehnte Zeilen auslassen",
@@ -45,8 +47,10 @@ pub(super) static GERMAN: Text = Text {
     },
 
     // Problems.
-    problems: |n| format!(", {n} Probleme"),
-    rows_to_look_at: |n| format!("{n} Probleme in der Datei"),
+    problems: |n| format!(", {n} {}", if n == 1 { "Problem" } else { "Probleme" }),
+    rows_to_look_at: |n| {
+        format!("{n} {} in der Datei", if n == 1 { "Problem" } else { "Probleme" })
+    },
     line: |n| format!("Zeile {n}"),
     file: "Datei",
     row_kept: " · Zeile behalten",

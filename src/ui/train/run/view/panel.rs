@@ -56,7 +56,7 @@ fn training(
     html! {
         <section class="card" aria-labelledby="train-title">
             <h2 id="train-title">{ text.training }</h2>
-            <p>{ (text.help)(commands, state.settings.epochs) }</p>
+            <p>{ (text.help)(commands, &state.settings) }</p>
             { buttons(state, desk, commands, text, act) }
             { kept }
             { match run {

@@ -18,9 +18,11 @@ pub(super) static ENGLISH: Text = Text {
     stop: "Stop",
     resume: "Go on where it was stopped",
     use_so_far: "Use the model so far",
-    help: |n, epochs| {
+    help: |n, settings| {
+        let more = if settings.idioms { ", and one more that looks for idioms" } else { "" };
         format!(
-            "It can learn from {n} commands, each shown with the room before and after, in {epochs} passes."
+            "It can learn from {n} commands, each shown with the room before and after, in {} passes{more}.",
+            settings.epochs
         )
     },
     beginning: "Beginning…",

@@ -18,9 +18,11 @@ pub(super) static GERMAN: Text = Text {
     stop: "Beenden",
     resume: "Da weitermachen, wo es beendet wurde",
     use_so_far: "Das Modell bis hierher verwenden",
-    help: |n, epochs| {
+    help: |n, settings| {
+        let more = if settings.idioms { " und einem, der nach Wendungen sucht" } else { "" };
         format!(
-            "Er kann aus {n} Befehlen lernen, jeder mit dem Raum vorher und nachher gezeigt, in {epochs} Durchgängen."
+            "Er kann aus {n} Befehlen lernen, jeder mit dem Raum vorher und nachher gezeigt, in {} Durchgängen{more}.",
+            settings.epochs
         )
     },
     beginning: "Beginnt…",

@@ -2,7 +2,7 @@
 
 use crate::ui::page::document::Model;
 use crate::ui::train::run::action::Number;
-use crate::worker::protocol::{FeatureKind, Progress};
+use crate::worker::protocol::{FeatureKind, Progress, Settings};
 
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
@@ -17,7 +17,7 @@ pub struct Text {
     pub stop: &'static str,
     pub resume: &'static str,
     pub use_so_far: &'static str,
-    pub help: fn(usize, u32) -> String,
+    pub help: fn(usize, &Settings) -> String,
     pub beginning: &'static str,
     pub begun: &'static str,
     pub stopped: &'static str,

@@ -116,7 +116,8 @@ pub(super) fn tasks(state: &State, text: &'static Text) -> Html {
                 <td>{ &found.task }</td><td>{ found.items }</td><td>{ found.answers }</td>
                 <td>{ found.approved }</td><td>{ found.rejected }</td>
                 <td>{ if is_judged { found.valid.to_string() } else { text.none.to_owned() } }</td>
-                <td>{ format!("{:.2}", found.agreement) }</td>
+                // Fewer than two have nothing to agree on.
+                <td>{ if found.answers < 2 { "–".to_owned() } else { format!("{:.2}", found.agreement) } }</td>
             </tr>
         }
     };
