@@ -40,7 +40,8 @@ pub enum Feature {
     Head(ConstantId, u8, ConstantId),
     /// A relation's two arguments have these head nouns.
     Heads(ConstantId, ConstantId),
-    /// What is to be so first is said of something with this head noun, and what is next of one with that.
+    /// What is to be so first is said of something with this head noun, and what is next of one with that; or the places
+    /// have these.
     Then(ConstantId, ConstantId),
 }
 
@@ -328,9 +329,12 @@ impl Occurring<'_> {
                 }
                 if let &[_, reach, then] = args
                     && self.terms.ty(term) == ty::RUN
-                    && let (Some(a), Some(b)) = (self.subject(reach), self.subject(then))
                 {
-                    self.features.push(Feature::Then(a, b));
+                    let steps = [reach, then].map(|step| self.first(step));
+                    self.features.extend((0..2).filter_map(|place| {
+                        let [first, next] = steps.map(|step| step[place]);
+                        Some(Feature::Then(first?, next?))
+                    }));
                 }
                 args.iter().for_each(|&arg| self.collect(arg));
             }
@@ -386,15 +390,20 @@ impl Occurring<'_> {
         }
     }
 
-    /// The noun of what a goal, or the first step of a task, is said of.
-    fn subject(&self, term: TermId) -> Option<ConstantId> {
-        let Node::Apply { args, .. } = self.terms.node(term) else { return None };
+    /// The nouns of what a goal, or the first step of a task, is said of, and of the place that it is to be in.
+    fn first(&self, term: TermId) -> [Option<ConstantId>; 2] {
+        let Node::Apply { args, .. } = self.terms.node(term) else { return [None; 2] };
         match *args {
-            [_, reach, _] if self.terms.ty(term) == ty::RUN => self.subject(reach),
+            [_, reach, _] if self.terms.ty(term) == ty::RUN => self.first(reach),
             // What begins to be forbidden after a step is no next step.
-            _ if self.terms.ty(term) == ty::RUN => None,
-            [first, ..] if self.terms.ty(first) == ty::ENTITY => self.head(first),
-            _ => args.iter().find_map(|&arg| self.subject(arg)),
+            _ if self.terms.ty(term) == ty::RUN => [None; 2],
+            [thing, place] if self.terms.ty(thing) == ty::ENTITY => {
+                [thing, place].map(|phrase| self.head(phrase))
+            }
+            _ => {
+                let parts = args.iter().map(|&arg| self.first(arg));
+                parts.fold([None; 2], |found, part| [0, 1].map(|at| found[at].or(part[at])))
+            }
         }
     }
 
