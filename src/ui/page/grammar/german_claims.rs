@@ -31,6 +31,12 @@ pub(super) fn claim(told: &Claim) -> String {
             format!("{} ist {}", noun(thing, Nominative), adjective(property))
         }
         Claim::Exists(description) => counted(false, description),
+        Claim::Then(all) => all.iter().map(claim).collect::<Vec<_>>().join(", dann "),
+        Claim::Never(inner) => match related(inner) {
+            Some((_, nouns)) => format!("{} ist nie {}", noun(&nouns[0], Nominative), place(inner)),
+            None => format!("nie gilt: {}", claim(inner)),
+        },
+        Claim::Until(both) => format!("{}, und bis dahin: {}", claim(&both[1]), claim(&both[0])),
         Claim::Formula(formula) => format!("es gilt: {formula}"),
     }
 }

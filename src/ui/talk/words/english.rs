@@ -88,6 +88,18 @@ pub(super) static ENGLISH: Text = Text {
             "It is understood, but the robot cannot bring it about: a wall, a door or a thing is in the way.",
             "Something may have to give:",
         ),
+        blocked: (
+            |demand| format!("It is understood, but there is no way while this must hold: {demand}."),
+            "Something has to give:",
+        ),
+        already_broken: (
+            |demand| format!("This does not hold where I stand now: {demand}."),
+            "I can see to it first, and keep to it from then on.",
+        ),
+        broken: (
+            |demand| format!("I stopped, since this does not hold any more: {demand}."),
+            "Shall I go on?",
+        ),
         plan_budget: (
             "It is understood, but no plan was found within the time allowed.",
             "Make it easier:",
@@ -119,6 +131,8 @@ pub(super) static ENGLISH: Text = Text {
     help: Helps {
         say: |phrase| format!("Say “{phrase}”"),
         just: "Do just this",
+        without: "Do it without this",
+        once: "Do this first, and keep to it then",
         teach: "Show me what you mean",
         show: "Point at",
         add: |look| format!("Put a {look} there"),
@@ -222,6 +236,8 @@ pub(super) static ENGLISH: Text = Text {
     step_forward: "Step forward",
     step_of_plan: "Step of the plan",
     speed: "Speed",
+    course: "The steps of the task",
+    never: "never: ",
     plan_of: |n| {
         if n == 1 { "A plan of one step".to_owned() } else { format!("A plan of {n} steps") }
     },

@@ -90,6 +90,18 @@ pub(super) static GERMAN: Text = Text {
             "Verstanden, aber der Roboter kann es nicht bewirken: eine Wand, eine Tür oder ein Ding ist im Weg.",
             "Etwas muss vielleicht nachgeben:",
         ),
+        blocked: (
+            |demand| format!("Verstanden, aber es gibt keinen Weg, solange dies gelten muss: {demand}."),
+            "Etwas muss nachgeben:",
+        ),
+        already_broken: (
+            |demand| format!("Dies gilt nicht, wo ich jetzt stehe: {demand}."),
+            "Ich kann erst dafür sorgen und mich dann daran halten.",
+        ),
+        broken: (
+            |demand| format!("Ich habe angehalten, denn dies gilt nicht mehr: {demand}."),
+            "Soll ich weitergehen?",
+        ),
         plan_budget: (
             "Verstanden, aber in der erlaubten Zeit fand sich kein Plan.",
             "Mach es leichter:",
@@ -118,6 +130,8 @@ pub(super) static GERMAN: Text = Text {
     help: Helps {
         say: |phrase| format!("Sag “{phrase}”"),
         just: "Nur das tun",
+        without: "Ohne das tun",
+        once: "Erst dies, dann dabei bleiben",
         teach: "Zeigen, was gemeint ist",
         show: "Zeig auf",
         add: |look| format!("Hinstellen: {look}"),
@@ -229,6 +243,8 @@ pub(super) static GERMAN: Text = Text {
     step_forward: "Schritt vor",
     step_of_plan: "Schritt des Plans",
     speed: "Tempo",
+    course: "Die Schritte der Aufgabe",
+    never: "nie: ",
     plan_of: |n| {
         if n == 1 {
             "Ein Plan mit einem Schritt".to_owned()
