@@ -26,11 +26,7 @@ pub fn demands(terms: &Terms, task: TermId) -> Result<Vec<TermId>, GoalError> {
 ///
 /// # Errors
 /// When it would be too large.
-pub fn without(
-    terms: &mut Terms,
-    task: TermId,
-    demands: &[TermId],
-) -> Result<TermId, LogicError> {
+pub fn without(terms: &mut Terms, task: TermId, demands: &[TermId]) -> Result<TermId, LogicError> {
     let Node::Apply { head, args } = terms.node(task) else { return Ok(task) };
     let Node::Constant(constant) = terms.node(head) else { return Ok(task) };
     let (name, args) = (terms.name(constant).to_owned(), args.to_vec());

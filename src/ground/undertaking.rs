@@ -162,9 +162,7 @@ impl Mdp for Undertaking {
     fn most(&self, state: Packed, discount: f64) -> f64 {
         match self {
             Undertaking::Goal(task) => task.most(state, discount),
-            Undertaking::Course(errand) => {
-                errand.most((state.unmarked(), state.mark()), discount)
-            }
+            Undertaking::Course(errand) => errand.most((state.unmarked(), state.mark()), discount),
         }
     }
 

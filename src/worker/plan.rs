@@ -235,9 +235,7 @@ impl Planning {
         self.done = self.timed.as_ref().map_or(Vec::new(), |timed| timed.course.done(&states));
         let mut instead = self.instead.take().flatten();
         let is_broken = self.task.has_failed(self.run.at);
-        if is_broken
-            && let (Some(timed), Some(last)) = (&mut self.timed, states.last())
-        {
+        if is_broken && let (Some(timed), Some(last)) = (&mut self.timed, states.last()) {
             instead = timed.once_out(last, self.done.last().copied().unwrap_or(0).into());
         }
         let reason = if is_broken { Some("broken") } else { reason };

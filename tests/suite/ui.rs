@@ -205,6 +205,7 @@ pub(crate) fn reading(form: &str) -> Reading {
         derivation: String::new(),
         phrases: Vec::new(),
         cells: Vec::new(),
+        forbidden: Vec::new(),
     }
 }
 
@@ -248,6 +249,8 @@ pub(crate) fn plan(from: &World, steps: i32) -> PlanText {
         sure: true,
         replans: 0,
         work: Some(work()),
+        done: Vec::new(),
+        instead: None,
     }
 }
 

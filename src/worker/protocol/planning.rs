@@ -1,8 +1,8 @@
 //! What is said of commands, their goals, and what planning makes of these.
 
 use super::reading::{Reading, Taken, Word};
-use crate::ground::Claim;
 use crate::domain::{Direction, State};
+use crate::ground::Claim;
 use crate::plan::Why;
 use serde::{Deserialize, Serialize};
 

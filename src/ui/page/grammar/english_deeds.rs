@@ -31,7 +31,9 @@ pub(super) fn deed(told: &Claim) -> String {
                 _ => format!("see to it that {}", claim(told)),
             };
         }
-        Claim::Until(both) => return format!("{}, and until then {}", deed(&both[1]), deed(&both[0])),
+        Claim::Until(both) => {
+            return format!("{}, and until then {}", deed(&both[1]), deed(&both[0]));
+        }
         Claim::Any(claims) => return all(claims, "or"),
         _ => {}
     }

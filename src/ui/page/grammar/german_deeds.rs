@@ -33,7 +33,9 @@ pub(super) fn deed(told: &Claim) -> String {
                 _ => format!("dafür sorgen, dass gilt: {}", claim(told)),
             };
         }
-        Claim::Until(both) => return format!("{} und bis dahin {}", deed(&both[1]), deed(&both[0])),
+        Claim::Until(both) => {
+            return format!("{} und bis dahin {}", deed(&both[1]), deed(&both[0]));
+        }
         Claim::Any(claims) => return all(claims, "oder"),
         _ => {}
     }

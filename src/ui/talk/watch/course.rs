@@ -36,7 +36,13 @@ pub fn strip(state: &State, shared: &Shared) -> Option<Strip> {
     collect(&reading.claim, phrases, &mut strip);
     let done = usize::from(done(state, shared));
     for (at, (_, stand)) in strip.steps.iter_mut().enumerate() {
-        *stand = if at < done { Stand::Done } else if at == done { Stand::Next } else { Stand::Later };
+        *stand = if at < done {
+            Stand::Done
+        } else if at == done {
+            Stand::Next
+        } else {
+            Stand::Later
+        };
     }
     (strip.steps.len() > 1 || !strip.never.is_empty()).then_some(strip)
 }

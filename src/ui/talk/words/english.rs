@@ -89,7 +89,9 @@ pub(super) static ENGLISH: Text = Text {
             "Something may have to give:",
         ),
         blocked: (
-            |demand| format!("It is understood, but there is no way while this must hold: {demand}."),
+            |demand| {
+                format!("It is understood, but there is no way while this must hold: {demand}.")
+            },
             "Something has to give:",
         ),
         already_broken: (

@@ -91,7 +91,9 @@ pub(super) static GERMAN: Text = Text {
             "Etwas muss vielleicht nachgeben:",
         ),
         blocked: (
-            |demand| format!("Verstanden, aber es gibt keinen Weg, solange dies gelten muss: {demand}."),
+            |demand| {
+                format!("Verstanden, aber es gibt keinen Weg, solange dies gelten muss: {demand}.")
+            },
             "Etwas muss nachgeben:",
         ),
         already_broken: (

@@ -96,7 +96,8 @@ impl Text {
                 return format!("{}: {}", helps.just, self.phrases.deed(claim).replace('*', ""));
             }
             Help::Instead(claims, once) => {
-                let claims: Vec<String> = claims.iter().map(|one| self.phrases.claim(one)).collect();
+                let claims: Vec<String> =
+                    claims.iter().map(|one| self.phrases.claim(one)).collect();
                 let words = if *once { helps.once } else { helps.without };
                 return format!("{words}: {}", self.phrases.list(&claims));
             }
