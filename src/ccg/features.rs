@@ -43,6 +43,8 @@ pub enum Feature {
     /// What is to be so first is said of something with this head noun, and what is next of one with that; or the places
     /// have these.
     Then(ConstantId, ConstantId),
+    /// Of one thing a relation is said twice, to be so at once: a thing is seldom in two places.
+    Twice(ConstantId),
 }
 
 impl Feature {
@@ -65,7 +67,9 @@ impl Feature {
             Feature::Pair(..) => Kind::Pair,
             Feature::Conjoined(..) => Kind::Conjoined,
             Feature::Alone(_) => Kind::Alone,
-            Feature::Head(..) | Feature::Heads(..) | Feature::Then(..) => Kind::Head,
+            Feature::Head(..) | Feature::Heads(..) | Feature::Then(..) | Feature::Twice(_) => {
+                Kind::Head
+            }
             Feature::Skip | Feature::Dropped | Feature::Lost | Feature::Far | Feature::Measure => {
                 return None;
             }
@@ -88,7 +92,8 @@ impl Feature {
             | Feature::Measure
             | Feature::Conjoined(..)
             | Feature::Alone(_)
-            | Feature::Then(..) => 1.0,
+            | Feature::Then(..)
+            | Feature::Twice(_) => 1.0,
         }
     }
 }
@@ -336,9 +341,28 @@ impl Occurring<'_> {
                         Some(Feature::Then(first?, next?))
                     }));
                 }
+                if self.is_and(head) {
+                    self.collect_twice(args);
+                }
                 args.iter().for_each(|&arg| self.collect(arg));
             }
         }
+    }
+
+    /// What some conjuncts say of one thing that one of those before says of it, too.
+    fn collect_twice(&mut self, conjuncts: &[TermId]) {
+        let said = |&term: &TermId| match self.terms.node(term) {
+            Node::Apply { head, args: &[thing, _] } => match self.terms.node(head) {
+                Node::Constant(relation) if self.terms.ty(thing) == ty::ENTITY => {
+                    Some((relation, thing))
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        let all: Vec<(ConstantId, TermId)> = conjuncts.iter().filter_map(said).collect();
+        let twice = all.iter().enumerate().filter(|(at, one)| all[..*at].contains(one));
+        self.features.extend(twice.map(|(_, &(relation, _))| Feature::Twice(relation)));
     }
 
     /// The pairs of predicates in a conjunction, each on what the conjunction is about.

@@ -117,8 +117,8 @@ pub(super) static ENGLISH: Text = Text {
                 quoted(words)
             )
         },
-        half_time: "What comes first and what is passed on the way I do not understand yet. Say one thing at a time.",
-        half_denied: "What must not happen beside something to do I do not understand yet.",
+        half_time: "What comes first here, or is passed on the way, I did not understand. Say it in another way.",
+        half_denied: "What must not happen here I did not understand. Say it in another way.",
         half_other: "See whether the rest is what you meant.",
         keeps: "There is nothing to do, and I will not remember it for later.",
         already_true: (

@@ -116,8 +116,8 @@ pub(super) static GERMAN: Text = Text {
         nothing_without: |words| {
             format!("Ich müsste {} auslassen, und dann hieße es etwas anderes.", quoted(words))
         },
-        half_time: "Was zuerst kommt und was auf dem Weg liegt, verstehe ich noch nicht. Sag eins nach dem anderen.",
-        half_denied: "Was neben einem Auftrag nicht geschehen darf, verstehe ich noch nicht.",
+        half_time: "Was hier zuerst kommt oder auf dem Weg liegt, habe ich nicht verstanden. Sag es anders.",
+        half_denied: "Was hier nicht geschehen darf, habe ich nicht verstanden. Sag es anders.",
         half_other: "Sieh nach, ob der Rest ist, was du meinst.",
         keeps: "Zu tun ist nichts, und für später merke ich es mir nicht.",
         already_true: (
