@@ -76,6 +76,11 @@ pub enum Order {
     Fixed,
 }
 
+impl Order {
+    /// All of them.
+    pub const ALL: [Order; 2] = [Order::Shuffled, Order::Fixed];
+}
+
 /// What becomes of a visit that was broken off.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -87,6 +92,11 @@ pub enum Again {
     Restart,
     /// It is over.
     Refuse,
+}
+
+impl Again {
+    /// All of them.
+    pub const ALL: [Again; 3] = [Again::Resume, Again::Restart, Again::Refuse];
 }
 
 /// What the page says, in the language of the study; what is missing, the page says in words of its own.

@@ -28,7 +28,7 @@ impl Learner {
                 let example = example(sheet, row)?;
                 Event::Row { row, pairs: pairs(example) }
             }
-            Request::Preview { file } => match preview(Cursor::new(file.bytes)) {
+            Request::Preview { file } => match preview(Cursor::new(&file.bytes[..])) {
                 Ok(found) => Event::Previewed(Box::new(found)),
                 Err(flaw) => return Err(format!("{}: {flaw}.", file.name)),
             },

@@ -5,6 +5,7 @@ use crate::corpus::{Corpus, Example, Flaw, Options, Reading};
 use crate::learn;
 use crate::learn::sheet::Source;
 use std::io::Cursor;
+use std::sync::Arc;
 
 /// Files that are being read as one corpus.
 pub(super) struct CorpusReading {
@@ -69,7 +70,7 @@ impl CorpusReading {
                 // Rejected rows are shown too: whether they are used is the sheet's matter.
                 let options = Options { with_rejected: true, mapping: mapping.clone() };
                 let source = Source { name, mapping, ..Source::default() };
-                match Reading::new(Cursor::new(bytes), options) {
+                match Reading::new(Cursor::new(Arc::unwrap_or_clone(bytes)), options) {
                     Ok(reading) => {
                         self.now = Some((source, reading));
                         None

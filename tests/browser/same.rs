@@ -128,7 +128,7 @@ fn planned(out: &mut String) {
 fn learned(out: &mut String) {
     let (mut learner, mut talker) = (Engine::<Learner>::new(), Engine::<Talker>::new());
     let name = "six.csv".to_owned();
-    let file = CorpusFile { name, bytes: CORPUS.into() };
+    let file = CorpusFile { name, bytes: CORPUS.as_bytes().to_vec().into() };
     let files = vec![MappedFile { file, mapping: Mapping::default() }];
     last(&mut learner, Request::OpenSheet { files, with_rejected: false });
     let lexicon = Lexicon::Here(SeedLexicon::Demonstration);

@@ -104,7 +104,13 @@ export class Flow {
   async equal(actual, wanted, what) {
     const print = (value) => JSON.stringify(value);
     const { fits, found } = await this.waited(actual, (value) => print(value) === print(wanted));
-    if (!fits) throw new Error(`${what}: ${print(found)}, wanted ${print(wanted)}`);
+    if (fits) return;
+    const [one, other] = [print(found) ?? 'undefined', print(wanted) ?? 'undefined'];
+    // Of long values, that where they part.
+    const at = [...one].findIndex((letter, place) => letter !== other[place]);
+    const from = Math.max(0, (at < 0 ? one.length : at) - 200);
+    const part = (text) => `${from > 0 ? '…' : ''}${text.slice(from, from + 400)}${text.length > from + 400 ? '…' : ''}`;
+    throw new Error(`${what}: ${part(one)}, wanted ${part(other)}`);
   }
 
   /** Looks until what is found `fits`, or the time is up; a plain value cannot change. */

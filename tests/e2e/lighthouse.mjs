@@ -1,16 +1,26 @@
 // Lighthouse's audits of the built site: `node lighthouse.mjs FOLDER` prints the score of each view on a phone and on
 // a desk, and every audit that is not passed. Accessibility and best practices must be at 100.
 
-import net from 'node:net';
+import { execFileSync } from 'node:child_process';
 import { readFile } from 'node:fs/promises';
+import net from 'node:net';
 import path from 'node:path';
+import { deflateRawSync } from 'node:zlib';
 import { chromium, lighthouse, root } from './packages.mjs';
 import { serve } from './server.mjs';
 
 /** Audits that may fail, each with the reason. */
 const EXPLAINED = {};
 
-const VIEWS = ['', '#train'];
+/** A study inside a link, as the page makes it. */
+function studyLink() {
+  const command = path.join(root, 'target/debug/groundling');
+  const study = execFileSync(command, ['generate', '--study', 'Six', '--from', 'assets/corpus/six.csv'], { cwd: root });
+  return `collect.html#study=${deflateRawSync(study).toString('base64url')}`;
+}
+
+/** What is looked at, each with its address. */
+const VIEWS = { 'the first view': '', 'the workbench': '#train', 'the page that asks': studyLink() };
 const DEVICES = {
   phone: {},
   desk: {
@@ -38,7 +48,7 @@ const browser = await chromium.launch({
 const site = await serve(process.argv[2], { under: '/some/sub-path/' });
 let [passed, failed] = [0, 0];
 for (const [device, settings] of Object.entries(DEVICES)) {
-  for (const view of VIEWS) {
+  for (const [name, view] of Object.entries(VIEWS)) {
     const { lhr } = await lighthouse(`${site.address}${view}`, {
       port, logLevel: 'error', throttlingMethod: 'provided', onlyCategories: ['accessibility', 'best-practices'], ...settings,
     });
@@ -47,7 +57,7 @@ for (const [device, settings] of Object.entries(DEVICES)) {
       const missed = counts.filter((audit) => audit.score !== null && audit.score < 1);
       const bad = missed.filter((audit) => !(audit.id in EXPLAINED));
       if (bad.length > 0 || score === null) failed += 1; else passed += 1;
-      console.log(`${bad.length > 0 ? 'FAILED' : 'ok    '} ${id} of ${view || 'the first view'} on a ${device}: ${Math.round(score * 100)}`);
+      console.log(`${bad.length > 0 ? 'FAILED' : 'ok    '} ${id} of ${name} on a ${device}: ${Math.round(score * 100)}`);
       for (const audit of missed) {
         const items = (audit.details?.items ?? []).map((item) => item.node?.snippet ?? item.description ?? item.source ?? '');
         console.log(`       ${audit.id}: ${EXPLAINED[audit.id] ?? audit.title} ${items.join(' | ')}`);

@@ -1,6 +1,8 @@
 // Drives the built site in Chromium: `node run.mjs [--folder flows] [WORD…]` runs the flow files of a folder
 // one after another (those whose title or file holds a WORD), under a sub-path as any static host may
-// serve it. Ends with "N passed, N failed". Screenshots and diffs: target/e2e.
+// serve it. With AGAIN=1 those that failed are run once more after all others, and named: a flow that needs two tries
+// counts as passed, and is to be mended all the same. Ends with what failed and "N passed, N failed".
+// Screenshots and diffs: target/e2e.
 
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -60,19 +62,39 @@ async function run({ title, settings, body }) {
   }
 }
 
-let failed = chosen.length === 0 ? 1 : 0;
-for (const flow of chosen) {
-  const start = Date.now();
-  const { wrong, notes } = await run(flow);
-  const seconds = ((Date.now() - start) / 1000).toFixed(1);
-  console.log(`${wrong ? 'FAILED' : 'ok    '} ${flow.file}: ${flow.title} (${seconds} s)`);
-  for (const note of notes) console.log(`       ${note}`);
-  if (wrong) {
-    failed += 1;
-    console.log(`${wrong}`.replaceAll(/^/gm, '       '));
+/** Runs flows one after another; returns those that failed. */
+async function runAll(some) {
+  const failed = [];
+  for (const flow of some) {
+    const start = Date.now();
+    const { wrong, notes } = await run(flow);
+    const seconds = ((Date.now() - start) / 1000).toFixed(1);
+    console.log(`${wrong ? 'FAILED' : 'ok    '} ${flow.file}: ${flow.title} (${seconds} s)`);
+    for (const note of notes) console.log(`       ${note}`);
+    if (wrong) {
+      console.log(indented(wrong));
+      failed.push({ flow, wrong });
+    }
+  }
+  return failed;
+}
+
+const indented = (text) => text.replaceAll(/^/gm, '       ');
+
+let failed = await runAll(chosen);
+if (process.env.AGAIN && failed.length > 0) {
+  console.log('Those that failed, again:');
+  const first = failed;
+  failed = await runAll(first.map(({ flow }) => flow));
+  for (const { flow, wrong } of first) {
+    if (failed.some((again) => again.flow === flow)) continue;
+    console.log(`needed two tries: ${flow.file}: ${flow.title}\n${indented(wrong)}`);
   }
 }
 await browser.close();
 await site.close();
-console.log(`${Math.max(chosen.length - failed, 0)} passed, ${failed} failed`);
-process.exitCode = failed === 0 ? 0 : 1;
+// Again at the end, where one who reads the last lines of a long log finds it.
+for (const { flow, wrong } of failed) console.log(`FAILED ${flow.file}: ${flow.title}\n${indented(wrong)}`);
+const bad = chosen.length === 0 ? 1 : failed.length;
+console.log(`${Math.max(chosen.length - bad, 0)} passed, ${bad} failed`);
+process.exitCode = bad === 0 ? 0 : 1;

@@ -48,7 +48,7 @@ fn learn(epochs: u32) -> Request {
 }
 
 fn file(name: &str, text: &str) -> MappedFile {
-    let file = CorpusFile { name: name.to_owned(), bytes: text.into() };
+    let file = CorpusFile { name: name.to_owned(), bytes: text.as_bytes().to_vec().into() };
     MappedFile { file, mapping: Mapping::default() }
 }
 

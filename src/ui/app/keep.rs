@@ -83,9 +83,7 @@ fn read(state: &mut State, place: Place, found: Option<(Result<Vec<u8>, String>,
     let Some((packed, was_damaged)) = found else { return };
     if is_first && state.shared.keep.link.is_none() && state.talk.is_begun(&state.shared) {
         state.shared.keep.origin = Some(Origin::New);
-        let before = Place::new(SESSION, BEFORE);
-        let kept = packed.ok().map(|packed| Effect::Keep(Ask::Write(before, packed)));
-        return kept.into_iter().for_each(|effect| state.shared.want(effect));
+        return put_aside(&mut state.shared);
     }
     talk::update::update(&mut state.talk, &mut state.shared, talk::Action::Open(packed));
     if is_first {

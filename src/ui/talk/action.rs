@@ -119,6 +119,8 @@ pub enum Action {
     Shared(Result<Address, String>),
     /// Save all this as a file.
     SaveSession,
+    /// A file could not be made; the text says why.
+    Unsaved(String),
     /// A link or a file was opened that holds this, or something unreadable.
     Open(Result<Vec<u8>, String>),
     /// The message about sharing was read.

@@ -103,6 +103,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::Share => exchange::share(shared),
         Action::Shared(made) => exchange::made(state, shared, made),
         Action::SaveSession => exchange::save(shared),
+        Action::Unsaved(why) => exchange::unsaved(state, shared, &why),
         Action::Open(text) => exchange::opened(state, shared, text),
         Action::CloseShare => state.sharing = Sharing::default(),
     }

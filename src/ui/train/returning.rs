@@ -92,7 +92,7 @@ fn save(State { desk, .. }: &mut State, place: &Place, bytes: Vec<u8>) -> Result
         kind => {
             let end = if kind == Some(Kind::Run) { "json" } else { "model" };
             let name = format!("{}.{end}", place.name);
-            desk.want(Effect::GiveBack(CorpusFile { name, bytes }));
+            desk.want(Effect::GiveBack(CorpusFile { name, bytes: bytes.into() }));
         }
     }
     Ok(())

@@ -6,6 +6,7 @@ use crate::domain::State;
 use crate::ground::{Claim, Noun};
 use crate::learn::PlannerCost;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// The most examples that a model is taught at once.
 pub const MOST_TAUGHT: usize = 100;
@@ -38,9 +39,9 @@ pub enum Meaning {
 pub struct CorpusFile {
     /// Its name, for messages.
     pub name: String,
-    /// Its bytes, which say what it is.
+    /// Its bytes, which say what it is: shared, since a file may be large and is asked about more than once.
     #[serde(with = "bytes")]
-    pub bytes: Vec<u8>,
+    pub bytes: Arc<Vec<u8>>,
 }
 
 /// Bytes cross as one piece, and not one by one.
@@ -56,9 +57,9 @@ pub(super) mod bytes {
         serializer.serialize_bytes(bytes)
     }
 
-    pub(in crate::worker::protocol) fn deserialize<'de, D: Deserializer<'de>>(
+    pub(in crate::worker::protocol) fn deserialize<'de, D: Deserializer<'de>, T: From<Vec<u8>>>(
         from: D,
-    ) -> Result<Vec<u8>, D::Error> {
+    ) -> Result<T, D::Error> {
         struct Bytes;
         impl Visitor<'_> for Bytes {
             type Value = Vec<u8>;
@@ -69,7 +70,7 @@ pub(super) mod bytes {
                 Ok(bytes.to_vec())
             }
         }
-        from.deserialize_bytes(Bytes)
+        from.deserialize_bytes(Bytes).map(T::from)
     }
 }
 

@@ -7,6 +7,7 @@ import path from 'node:path';
 import { deflateRawSync } from 'node:zlib';
 import { answersOf, host, makeStudy, Participant, receiver, startBrowser, takePart } from '../collect.mjs';
 import { flow } from '../flow.mjs';
+import { openPage } from '../page.mjs';
 
 const LINK = '?study=study.json&participant=anna';
 
@@ -172,4 +173,20 @@ flow('the page that asks comes back without a network', { serviceWorkers: 'allow
   await person.page.reload();
   await person.at('turn');
   await t.equal(() => person.turn(), 'Task 2 of 2', 'it goes on');
+});
+
+flow('what somebody answered is listed with all that is kept, saved and deleted', async (t) => {
+  await host(t, await makeStudy(t, { asked: 2 }));
+  const person = await takePart(t, LINK);
+  await person.begin();
+  await person.answer('one');
+  const demo = await openPage(t, `${t.address}#kept`);
+  const row = demo.by('kept-item').filter({ hasText: 'What you answered in a study' });
+  await row.waitFor();
+  const notes = await demo.saved('export');
+  await t.check(() => notes.includes('"text":"one"'), 'the notes are saved');
+  await row.getByTestId('delete').click();
+  await demo.by('nothing-kept').waitFor();
+  await person.page.reload();
+  await person.at('welcome');
 });

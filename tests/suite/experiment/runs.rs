@@ -42,7 +42,9 @@ fn a_plan_is_repeated_by_one_by_several_and_in_shards() {
         text(&[&["experiment", "join", "--plan", &plan, "--shard", a, b], more].concat())
     };
     assert_eq!(join(&["--json"]), all, "in shards");
-    assert_eq!(join(&["--csv"]), run(&["--csv"]));
+    let table = run(&["--csv"]);
+    assert_eq!(join(&["--csv"]), table);
+    assert!(table.ends_with("\r\n"), "every line ends alike, as in the file that the page saves");
     let report = run(&[]);
     assert_eq!(report.matches("\n| without ").count(), 2, "{report}");
     assert!(report.starts_with("# ablation\n"), "{report}");

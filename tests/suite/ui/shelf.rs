@@ -94,7 +94,7 @@ fn a_run_is_kept_with_its_corpus_and_goes_on_when_the_page_is_opened_again() {
     let (place, text) = bench.written("run");
     assert_eq!((place.name.as_str(), corpus.name.as_str()), ("mine.csv, 1", "mine.csv "));
     let files = pack::read(&bytes).expect("it is a corpus").files;
-    let mine = CorpusFile { name: "mine.csv".to_owned(), bytes: b"x".to_vec() };
+    let mine = CorpusFile { name: "mine.csv".to_owned(), bytes: b"x".to_vec().into() };
     assert_eq!(files, [MappedFile { file: mine, ..demo::file() }]);
     // While it is being written nothing is written over it; then what has come since is.
     bench.stored.clear();

@@ -39,7 +39,7 @@ fn a_hundred_thousand_rows_are_worked_on() {
     let bytes = file();
     let mut engine = Engine::new();
     let mapped = MappedFile {
-        file: CorpusFile { name: "large.jsonl".to_owned(), bytes },
+        file: CorpusFile { name: "large.jsonl".to_owned(), bytes: bytes.into() },
         mapping: Mapping::default(),
     };
     engine.start(1, Request::OpenSheet { files: vec![mapped], with_rejected: false });

@@ -490,7 +490,7 @@ fn columns_are_mapped_after_a_look_at_the_file() {
     assert!(header.lines().next().unwrap().contains("\"Instruction\""), "names stay");
     let picture = groundling::worker::protocol::CorpusFile {
         name: "a.xlsx".to_owned(),
-        bytes: b"PK\x03\x04".to_vec(),
+        bytes: b"PK\x03\x04".to_vec().into(),
     };
     let said = refused(&mut engine, Request::Preview { file: picture });
     assert!(said.starts_with("a.xlsx: this is a spreadsheet"), "{said}");

@@ -94,8 +94,12 @@ impl Effects {
             Effect::Keep(ask) => self.keeper.ask(ask),
             Effect::SetLanguage(language) => host::set_language(language.code()),
             Effect::Share(packed) => address::share(packed, self.act.clone()),
-            Effect::SaveSession(packed) => saved("groundling.json", packed, Forms::write_session),
-            Effect::SaveLessons(packed) => saved("taught.jsonl", packed, Forms::write_lessons),
+            Effect::SaveSession(packed) => {
+                self.save_as("groundling.json", packed, Forms::write_session);
+            }
+            Effect::SaveLessons(packed) => {
+                self.save_as("taught.jsonl", packed, Forms::write_lessons);
+            }
             Effect::ReadSession(text) => {
                 let act = self.act.reform(Action::Talk);
                 spawn_local(
@@ -129,21 +133,25 @@ impl Effects {
         });
     }
 
+    /// Offers what is packed to the person as a file, once what writes its text has come; says so if it does not.
+    fn save_as(&self, name: &'static str, packed: Vec<u8>, write: fn(&Forms, &[u8]) -> String) {
+        let act = self.act.clone();
+        spawn_local(async move {
+            let saved = forms::forms().await.and_then(|forms| {
+                save(name, &write(&forms, &packed)).map_err(|error| host::words(&error))
+            });
+            if let Err(why) = saved {
+                act.emit(Action::Talk(talk::Action::Unsaved(why)));
+            }
+        });
+    }
+
     const fn engine(&mut self, program: Program) -> &mut Option<Engine> {
         match program {
             Program::Talker => &mut self.talker,
             Program::Learner => &mut self.learner,
         }
     }
-}
-
-/// Offers what is packed to the person as a file, once what writes its text has come.
-fn saved(name: &'static str, packed: Vec<u8>, write: fn(&Forms, &[u8]) -> String) {
-    spawn_local(async move {
-        if let Ok(forms) = forms::forms().await {
-            let _ = save(name, &write(&forms, &packed));
-        }
-    });
 }
 
 /// The text of a file beside the page.

@@ -25,15 +25,9 @@ pub fn has_page() -> bool {
     web_sys::window().is_some()
 }
 
-/// Mounts the page in `#app`, in place of the skeleton.
+/// Mounts the page.
 pub fn mount() {
-    host::report_panics();
-    let Some(root) = host::element("app") else {
-        host::report("The page has no element #app.");
-        return;
-    };
-    root.set_inner_html("");
-    yew::Renderer::<App>::with_root(root).render();
+    host::mount::<App>();
 }
 
 struct App {

@@ -1,6 +1,5 @@
 //! Carries the page's effects out: fetching, the journal, posting, files, leaving.
 
-use super::journal::Journal;
 use crate::study::Study;
 use crate::study::ends::Source;
 use crate::study::file::MAX_BYTES;
@@ -10,6 +9,7 @@ use crate::ui::collect::effect::Effect;
 use crate::ui::page::keep::fault::Fault;
 use crate::ui::page::view::claim::claim;
 use crate::ui::page::view::host;
+use crate::ui::page::view::journal::Journal;
 use crate::ui::page::view::packed::unpack;
 use crate::ui::page::view::save::save;
 use gloo_timers::callback::Timeout;

@@ -16,15 +16,9 @@ use yew::{Callback, Component, Context, Html};
 /// Milliseconds between two things that a simulated participant does.
 const PACE: u32 = 40;
 
-/// Mounts the page in `#app`, in place of the skeleton.
+/// Mounts the page.
 pub fn mount() {
-    host::report_panics();
-    let Some(root) = host::element("app") else {
-        host::report("The page has no element #app.");
-        return;
-    };
-    root.set_inner_html("");
-    yew::Renderer::<Collect>::with_root(root).render();
+    host::mount::<Collect>();
 }
 
 struct Collect {

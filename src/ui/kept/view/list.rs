@@ -5,6 +5,7 @@ use crate::ui::kept::words::Text;
 use crate::ui::page::keep::copies::Item;
 use crate::ui::page::keep::fault::Fault;
 use crate::ui::page::language::Language;
+use crate::ui::page::view::journal::{Journal, KIND};
 use crate::ui::page::view::save::save_bytes;
 use crate::ui::page::view::store::Store;
 use js_sys::{Date, Object};
@@ -47,6 +48,11 @@ async fn act(
     (does, kind, name): (&str, &str, &str),
 ) -> Result<(), Fault> {
     match does {
+        "export" if kind == KIND => {
+            let notes = Journal::open(|| ()).await?.notes(name).await?;
+            let lines: String = notes.into_iter().map(|(_, note)| note + "\n").collect();
+            let _ = save_bytes(&format!("{kind}-{name}.jsonl"), lines.as_bytes());
+        }
         "export" => {
             if let Some((bytes, _)) = store.read(kind, name).await? {
                 let end = match kind {
@@ -58,7 +64,14 @@ async fn act(
             }
         }
         "delete" | "delete-all" => {
-            store.delete(kind, name).await?;
+            match kind {
+                KIND => Journal::open(|| ()).await?.erase(name, None).await?,
+                "" => {
+                    store.delete("", "").await?;
+                    Journal::open(|| ()).await?.clear().await?;
+                }
+                _ => store.delete(kind, name).await?,
+            }
             draw(store, into, language, Text::of(language).deleted).await?;
         }
         _ => {}
@@ -73,7 +86,8 @@ async fn draw(
     said: &str,
 ) -> Result<(), Fault> {
     let text = Text::of(language);
-    let items = store.list().await?;
+    let mut items = store.list().await?;
+    items.extend(Journal::open(|| ()).await?.sittings().await?);
     let rows: String = items.iter().map(|item| row(text, language, item)).collect();
     let Text { title, about, what, when, size, delete_all, nothing, .. } = text;
     let list = if items.is_empty() {

@@ -17,6 +17,7 @@ pub(super) static ENGLISH: Text = Text {
         ("corpus", "Corpus"),
         ("run", "Training run"),
         ("model", "Model"),
+        ("sitting", "What you answered in a study"),
     ],
     save: "Save as a file",
     delete: "Delete",

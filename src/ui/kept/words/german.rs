@@ -17,6 +17,7 @@ pub(super) static GERMAN: Text = Text {
         ("corpus", "Korpus"),
         ("run", "Lauf des Trainings"),
         ("model", "Modell"),
+        ("sitting", "Deine Antworten in einer Studie"),
     ],
     save: "Als Datei sichern",
     delete: "Löschen",

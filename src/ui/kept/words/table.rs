@@ -9,7 +9,7 @@ pub struct Text {
     pub what: &'static str,
     pub when: &'static str,
     pub size: &'static str,
-    pub kinds: [(&'static str, &'static str); 6],
+    pub kinds: [(&'static str, &'static str); 7],
     pub save: &'static str,
     pub delete: &'static str,
     pub delete_all: &'static str,

@@ -9,7 +9,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{AddEventListenerOptions, CustomEvent, CustomEventInit, Element, MediaQueryList};
 use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition, Url};
-use yew::Callback;
+use yew::{BaseComponent, Callback};
 
 /// The event that the boot script shows the crash panel on; its detail is the message.
 const CRASHED: &str = "groundling:crashed";
@@ -20,6 +20,17 @@ const DARK: &str = "(prefers-color-scheme: dark)";
 /// An element by its id.
 pub(crate) fn element(id: &str) -> Option<Element> {
     web_sys::window()?.document()?.get_element_by_id(id)
+}
+
+/// Mounts a page's root component in `#app`, in place of the skeleton.
+pub(crate) fn mount<Root: BaseComponent<Properties = ()>>() {
+    report_panics();
+    let Some(place) = element("app") else {
+        report("The page has no element #app.");
+        return;
+    };
+    place.set_inner_html("");
+    yew::Renderer::<Root>::with_root(place).render();
 }
 
 /// The address of a file beside the page.
@@ -172,7 +183,7 @@ pub(crate) fn report(message: &str) {
 }
 
 /// From now on a panic is shown in words; the first one is the one kept.
-pub(crate) fn report_panics() {
+fn report_panics() {
     static FIRST: Once = Once::new();
     std::panic::set_hook(Box::new(|info| {
         let message = info.to_string();

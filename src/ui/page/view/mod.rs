@@ -15,6 +15,7 @@ pub mod notice;
 pub mod sketch;
 pub mod picture;
 pub mod store;
+pub mod journal;
 pub mod claim;
 pub mod module;
 pub mod forms;

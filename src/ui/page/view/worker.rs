@@ -4,7 +4,7 @@
 use super::host::beside;
 use super::save::object_url;
 use crate::worker::protocol::{Envelope, Event, Program, Reader, Request, encode};
-use js_sys::Uint8Array;
+use js_sys::{Array, Uint8Array};
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{MessageEvent, Worker, WorkerOptions, WorkerType};
@@ -77,7 +77,9 @@ impl Engine {
     /// Sends it a request.
     pub(crate) fn post(&self, envelope: &Envelope<Request>) -> Result<(), JsValue> {
         let bytes = encode(envelope).map_err(|e| JsValue::from_str(&e.to_string()))?;
-        self.give(&Uint8Array::from(&bytes[..]))
+        let bytes = Uint8Array::from(&bytes[..]);
+        // Its memory goes over: what is large is copied no more than it must.
+        self.worker.post_message_with_transfer(&bytes, &Array::of1(&bytes.buffer()))
     }
 
     /// Gives it what is no request: what it is made of.

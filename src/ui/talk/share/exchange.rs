@@ -44,6 +44,11 @@ pub(crate) fn made(state: &mut State, shared: &mut Shared, made: Result<Link, St
     state.sharing.made = Some(made);
 }
 
+/// A file could not be made.
+pub(crate) fn unsaved(state: &mut State, shared: &mut Shared, why: &str) {
+    tell(state, shared, (Text::of(shared.language).not_saved)(why));
+}
+
 /// A link or a file was opened.
 pub(crate) fn opened(state: &mut State, shared: &mut Shared, packed: Result<Vec<u8>, String>) {
     let unpacked = |packed: Vec<u8>| {
@@ -53,10 +58,15 @@ pub(crate) fn opened(state: &mut State, shared: &mut Shared, packed: Result<Vec<
         Ok(session) => open(state, shared, session),
         Err(why) => {
             let words = (Text::of(shared.language).bad_link)(&why);
-            shared.say(words.clone());
-            state.sharing.notice = Some(words);
+            tell(state, shared, words);
         }
     }
+}
+
+/// Tells what went wrong.
+fn tell(state: &mut State, shared: &mut Shared, words: String) {
+    shared.say(words.clone());
+    state.sharing = Sharing { made: None, notice: Some(words) };
 }
 
 fn open(state: &mut State, shared: &mut Shared, session: Session) {

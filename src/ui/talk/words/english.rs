@@ -19,6 +19,7 @@ pub(super) static ENGLISH: Text = Text {
     link_made: "Here is the link.",
     link_help: "It holds the room, its rules, the command and what you taught. Whoever opens it gets a copy.",
     bad_link: |why| format!("This link or file cannot be opened: {why}. Nothing was changed."),
+    not_saved: |why| format!("The file cannot be made: {why}. Nothing is lost: try it again."),
     save_as_file: "Save as a file",
 
     what_to_do: "What should the robot do?",

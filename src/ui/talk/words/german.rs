@@ -24,6 +24,11 @@ pub(super) static GERMAN: Text = Text {
             "Dieser Link oder diese Datei lässt sich nicht öffnen: {why}. Es hat sich nichts geändert."
         )
     },
+    not_saved: |why| {
+        format!(
+            "Die Datei lässt sich nicht herstellen: {why}. Nichts ist verloren: noch einmal versuchen."
+        )
+    },
     save_as_file: "Als Datei sichern",
 
     what_to_do: "Was soll der Roboter tun? (auf Englisch)",

@@ -23,6 +23,7 @@ pub struct Text {
     pub link_made: &'static str,
     pub link_help: &'static str,
     pub bad_link: fn(&str) -> String,
+    pub not_saved: fn(&str) -> String,
     pub save_as_file: &'static str,
 
     // Talking.

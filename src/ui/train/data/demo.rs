@@ -10,6 +10,6 @@ pub const TEXT: &str = include_str!("../../../../assets/corpus/six.csv");
 
 /// It as a file.
 pub fn file() -> MappedFile {
-    let file = CorpusFile { name: NAME.to_owned(), bytes: TEXT.into() };
+    let file = CorpusFile { name: NAME.to_owned(), bytes: TEXT.as_bytes().to_vec().into() };
     MappedFile { file, mapping: Mapping::default() }
 }

@@ -62,7 +62,7 @@ pub fn answered(state: &mut State, desk: &mut Desk, request: Request, event: Eve
             state.columns = Some(Columns::new(files, *preview));
         }
         (Event::Saved { name, bytes }, _) => {
-            desk.want(Effect::GiveBack(CorpusFile { name, bytes }));
+            desk.want(Effect::GiveBack(CorpusFile { name, bytes: bytes.into() }));
         }
         (Event::Cancelled, Request::OpenSheet { .. }) => {
             let words = Text::of(desk.language).reading_stopped;

@@ -65,7 +65,7 @@ fn sorted(files: Vec<Offered>, text: &Text) -> Result<Sorted, String> {
             let pack = pack::read(&bytes);
             sorted.packs.push(pack.map_err(|wrong| format!("{name}: {wrong}."))?);
         } else if files::kind(&name, &bytes) == Kind::Corpus {
-            sorted.corpora.push(CorpusFile { name, bytes });
+            sorted.corpora.push(CorpusFile { name, bytes: bytes.into() });
         } else {
             sorted.given.extend(files::given(&name, bytes).map_err(fault)?);
         }

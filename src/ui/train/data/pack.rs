@@ -82,7 +82,7 @@ pub fn read(bytes: &[u8]) -> Result<Pack, String> {
     let mut files = Vec::new();
     for Part { name, bytes, mapping } in head.files {
         let (own, others) = rest.split_at_checked(bytes).ok_or(format!("{name} is cut off"))?;
-        files.push(MappedFile { file: CorpusFile { name, bytes: own.to_vec() }, mapping });
+        files.push(MappedFile { file: CorpusFile { name, bytes: own.to_vec().into() }, mapping });
         rest = others;
     }
     Ok(Pack { files, with_rejected: head.with_rejected, decisions: head.decisions })

@@ -78,7 +78,7 @@ impl Sheet {
 
     /// Whether this is the page's own corpus.
     pub fn is_demo(&self) -> bool {
-        matches!(&*self.files, [only] if only.file.bytes == demo::TEXT.as_bytes())
+        matches!(&*self.files, [only] if *only.file.bytes == demo::TEXT.as_bytes())
     }
 
     /// Whether it is the page's own corpus, and nothing was done to it.

@@ -1,6 +1,7 @@
 //! What a person can do about studies.
 
 use crate::study::Flag;
+use crate::study::file::{Again, Order};
 use crate::ui::page::files::Offered;
 
 /// Something that a person did.
@@ -69,10 +70,39 @@ pub enum Change {
     Shown(u32),
     Asked(u32),
     Seed(u32),
-    Consent(String),
+    /// What the page says at a place, in words of one's own.
+    Says(Place, String),
+    Order(Order),
+    Again(Again),
     Hosts(String),
     Ends(String),
     Cents(u32),
+}
+
+/// Where the page that asks says something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[expect(missing_docs, reason = "as in a study's file")]
+pub enum Place {
+    Welcome,
+    Consent,
+    Instructions,
+    Thanks,
+}
+
+impl Place {
+    /// All of them, in the order in which they are read.
+    pub const ALL: [Place; 4] =
+        [Place::Welcome, Place::Consent, Place::Instructions, Place::Thanks];
+
+    /// The name of its field.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Place::Welcome => "study-welcome",
+            Place::Consent => "study-consent",
+            Place::Instructions => "study-instructions",
+            Place::Thanks => "study-thanks",
+        }
+    }
 }
 
 /// What is saved.

@@ -1,8 +1,10 @@
 //! The state of studies.
 
+use super::action::Place;
+use crate::study::file::{Again, Order, Words};
 use crate::study::survey::{SurveyMapping, Trials};
 use crate::study::{Flag, Review, Study, StudyError};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// All that is known of studies.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +63,10 @@ pub struct Draft {
     pub shown: u32,
     pub asked: u32,
     pub seed: u32,
-    pub consent: String,
+    /// What the page says in words of one's own.
+    pub says: BTreeMap<Place, String>,
+    pub order: Order,
+    pub again: Again,
     /// Hosts, separated by blanks.
     pub hosts: String,
     /// Ends as JSON.
@@ -112,7 +117,9 @@ impl Default for Draft {
             shown: 3,
             asked: 6,
             seed: 0,
-            consent: String::new(),
+            says: BTreeMap::new(),
+            order: Order::default(),
+            again: Again::default(),
             hosts: String::new(),
             ends: "[\"code\", \"file\"]".to_owned(),
             cents: 0,
@@ -130,8 +137,18 @@ impl Draft {
         study.language = if self.german { "de" } else { "en" }.to_owned();
         (study.shown, study.seed) = (self.shown as usize, self.seed);
         study.asked = (self.asked > 0).then_some(self.asked as usize);
-        study.words.consent =
-            Some(self.consent.trim().to_owned()).filter(|words| !words.is_empty());
+        (study.order, study.again) = (self.order, self.again);
+        let says = |place| {
+            let words = self.says.get(&place)?.trim();
+            (!words.is_empty()).then(|| words.to_owned())
+        };
+        study.words = Words {
+            welcome: says(Place::Welcome),
+            consent: says(Place::Consent),
+            instructions: says(Place::Instructions),
+            thanks: says(Place::Thanks),
+            example: None,
+        };
         study.hosts = self.hosts.split_whitespace().map(str::to_owned).collect();
         study.ends = serde_json::from_str(&self.ends).map_err(|error| error.to_string())?;
         let pay = crate::study::file::Pay { cents: self.cents, currency: "EUR".to_owned() };

@@ -135,7 +135,11 @@ fn draft(state: &mut State, change: Change) {
         Change::Shown(shown) => draft.shown = shown,
         Change::Asked(asked) => draft.asked = asked,
         Change::Seed(seed) => draft.seed = seed,
-        Change::Consent(consent) => draft.consent = consent,
+        Change::Says(place, words) => {
+            draft.says.insert(place, words);
+        }
+        Change::Order(order) => draft.order = order,
+        Change::Again(again) => draft.again = again,
         Change::Hosts(hosts) => draft.hosts = hosts,
         Change::Ends(ends) => draft.ends = ends,
         Change::Cents(cents) => draft.cents = cents,

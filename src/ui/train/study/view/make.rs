@@ -1,10 +1,11 @@
 //! Making a study: what it is to be, drawing it, and the file that comes of it.
 
 use super::controls::{bar, button};
+use crate::study::file::{Again, Order};
 use crate::ui::page::view::fields::{choice, line, number, tick};
 use crate::ui::page::view::files::open_file;
 use crate::ui::train::desk::Desk;
-use crate::ui::train::study::action::{Action, Change, Saved, Way};
+use crate::ui::train::study::action::{Action, Change, Place, Saved, Way};
 use crate::ui::train::study::state::{Draft, State};
 use crate::ui::train::study::words::Text;
 use web_sys::{HtmlTextAreaElement, InputEvent};
@@ -17,8 +18,21 @@ pub(super) fn make(
     text: &'static Text,
     act: &Callback<Action>,
 ) -> Html {
-    let Draft { name, german, tasks, pairs, shown, asked, seed, consent, hosts, ends, cents } =
-        &state.draft;
+    let Draft {
+        name,
+        german,
+        tasks,
+        pairs,
+        shown,
+        asked,
+        seed,
+        says,
+        order,
+        again,
+        hosts,
+        ends,
+        cents,
+    } = &state.draft;
     let n = |id: &'static str,
              label: &'static str,
              value: u32,
@@ -33,10 +47,7 @@ pub(super) fn make(
         |id: &'static str, label: &'static str, value: &str, change: fn(String) -> Change| {
             line(id, label, "text", value, act.reform(move |words| Action::Draft(change(words))))
         };
-    let ways: Vec<String> = Way::ALL.iter().map(|way| (text.ways)(*way).to_owned()).collect();
-    let chosen = Way::ALL.iter().position(|way| way.ends()[0] == *ends).unwrap_or(0);
-    let choose =
-        act.reform(|at: usize| Action::Way(Way::ALL.get(at).copied().unwrap_or(Way::File)));
+    let way = Way::ALL.into_iter().find(|way| way.ends()[0] == *ends).unwrap_or(Way::File);
     html! {
         <section class="card" aria-labelledby="study-title">
             <h2 id="study-title">{ text.make_title }</h2>
@@ -53,11 +64,26 @@ pub(super) fn make(
                 { n("study-seed", text.seed, *seed, u32::MAX, Change::Seed) }
                 { n("study-cents", text.cents, *cents, 100_000, Change::Cents) }
             </div>
-            <div class="fields">{ choice("study-way".into(), text.way.into(), &ways, chosen, choose) }</div>
+            <div class="fields">
+                { one_of("study-way", text.way, &Way::ALL, way, text.ways, act.reform(Action::Way)) }
+                { one_of("study-order", text.order, &Order::ALL, *order, text.orders,
+                    act.reform(|order| Action::Draft(Change::Order(order)))) }
+                { one_of("study-again", text.again, &Again::ALL, *again, text.agains,
+                    act.reform(|again| Action::Draft(Change::Again(again)))) }
+            </div>
             <details>
-                <summary>{ format!("{}, {}, {}", text.consent, text.hosts, text.ends) }</summary>
+                <summary>{ text.words }</summary>
                 <div class="fields">
-                    { words("study-consent", text.consent, consent, Change::Consent) }
+                    { for Place::ALL.map(|place| {
+                        let said = says.get(&place).map_or("", String::as_str);
+                        area(place.id(), (text.says)(place), said,
+                            act.reform(move |words| Action::Draft(Change::Says(place, words))))
+                    }) }
+                </div>
+            </details>
+            <details>
+                <summary>{ format!("{}, {}, {}", text.hosts, text.ends, text.tasks) }</summary>
+                <div class="fields">
                     { words("study-hosts", text.hosts, hosts, Change::Hosts) }
                     { words("study-ends", text.ends, ends, Change::Ends) }
                     { area("study-tasks", text.tasks, tasks, act.reform(|words| Action::Draft(Change::Tasks(words)))) }
@@ -89,6 +115,22 @@ pub(super) fn make(
             }
         </section>
     }
+}
+
+/// A choice among values, each with its words.
+fn one_of<T: Copy + PartialEq + 'static>(
+    id: &'static str,
+    label: &'static str,
+    all: &'static [T],
+    chosen: T,
+    named: fn(T) -> &'static str,
+    choose: Callback<T>,
+) -> Html {
+    let names: Vec<String> = all.iter().map(|one| named(*one).to_owned()).collect();
+    let place = all.iter().position(|one| *one == chosen).unwrap_or(0);
+    // The browser names no place that was not offered.
+    let choose = choose.reform(move |at: usize| all.get(at).copied().unwrap_or(chosen));
+    choice(id.into(), label.into(), &names, place, choose)
 }
 
 /// A text of several lines.

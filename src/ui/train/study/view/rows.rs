@@ -71,7 +71,7 @@ fn row(
             <td>{ &answer.worker }</td>
             <td>{ for row.flags.iter().map(|&flag| html! { <span class="mark">{ (text.flag)(flag) }</span> }) }</td>
             <td>{ decision }if !why.is_empty() { { ": " }{ why } }</td>
-            <td class="buttons">
+            <td class="row-buttons">
                 { named("look", text.look, Action::Look(at)) }
                 if is_open {
                     { named("approve", text.approve, Action::Approve(at)) }

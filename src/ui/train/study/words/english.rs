@@ -2,7 +2,8 @@
 
 use super::table::Text;
 use crate::study::Flag;
-use crate::ui::train::study::action::{Saved, Value, Way};
+use crate::study::file::{Again, Order};
+use crate::ui::train::study::action::{Place, Saved, Value, Way};
 
 /// The words.
 pub(super) static ENGLISH: Text = Text {
@@ -15,7 +16,24 @@ pub(super) static ENGLISH: Text = Text {
     asked: "Tasks each (0: all)",
     seed: "Seed",
     cents: "Pay an answer (cents)",
-    consent: "Consent, in your words (empty: the page’s own)",
+    words: "Words of your own",
+    says: |place| match place {
+        Place::Welcome => "Welcome (empty: the page’s own)",
+        Place::Consent => "Consent (empty: the page’s own)",
+        Place::Instructions => "Instructions (empty: the page’s own)",
+        Place::Thanks => "Thanks (empty: the page’s own)",
+    },
+    order: "Order of the tasks",
+    orders: |order| match order {
+        Order::Shuffled => "another one for everybody",
+        Order::Fixed => "as they stand in the file",
+    },
+    again: "Who comes again after breaking off",
+    agains: |again| match again {
+        Again::Resume => "goes on",
+        Again::Restart => "begins anew",
+        Again::Refuse => "is thanked and sent away",
+    },
     hosts: "Hosts that answers may go to",
     ends: "How it ends (JSON)",
     tasks: "Tasks, as a file of them (empty: the 23 of the corpus)",

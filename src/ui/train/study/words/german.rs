@@ -2,7 +2,8 @@
 
 use super::table::Text;
 use crate::study::Flag;
-use crate::ui::train::study::action::{Saved, Value, Way};
+use crate::study::file::{Again, Order};
+use crate::ui::train::study::action::{Place, Saved, Value, Way};
 
 /// The words.
 pub(super) static GERMAN: Text = Text {
@@ -15,7 +16,24 @@ pub(super) static GERMAN: Text = Text {
     asked: "Aufgaben je Person (0: alle)",
     seed: "Startwert",
     cents: "Lohn je Antwort (Cent)",
-    consent: "Einwilligung in deinen Worten (leer: die der Seite)",
+    words: "Eigene Worte",
+    says: |place| match place {
+        Place::Welcome => "Begrüßung (leer: die der Seite)",
+        Place::Consent => "Einwilligung (leer: die der Seite)",
+        Place::Instructions => "Anleitung (leer: die der Seite)",
+        Place::Thanks => "Dank (leer: der der Seite)",
+    },
+    order: "Reihenfolge der Aufgaben",
+    orders: |order| match order {
+        Order::Shuffled => "für alle eine andere",
+        Order::Fixed => "wie in der Datei",
+    },
+    again: "Wer nach einem Abbruch wiederkommt",
+    agains: |again| match again {
+        Again::Resume => "macht weiter",
+        Again::Restart => "fängt neu an",
+        Again::Refuse => "wird mit Dank weggeschickt",
+    },
     hosts: "Rechner, an die Antworten gehen dürfen",
     ends: "Wie sie endet (JSON)",
     tasks: "Aufgaben, als Datei (leer: die 23 des Korpus)",

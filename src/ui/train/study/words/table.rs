@@ -1,7 +1,8 @@
 //! What a language has to have a word for about studies.
 
 use crate::study::Flag;
-use crate::ui::train::study::action::{Saved, Value, Way};
+use crate::study::file::{Again, Order};
+use crate::ui::train::study::action::{Place, Saved, Value, Way};
 
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
@@ -16,7 +17,12 @@ pub struct Text {
     pub asked: &'static str,
     pub seed: &'static str,
     pub cents: &'static str,
-    pub consent: &'static str,
+    pub words: &'static str,
+    pub says: fn(Place) -> &'static str,
+    pub order: &'static str,
+    pub orders: fn(Order) -> &'static str,
+    pub again: &'static str,
+    pub agains: fn(Again) -> &'static str,
     pub hosts: &'static str,
     pub ends: &'static str,
     pub tasks: &'static str,
