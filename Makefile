@@ -6,8 +6,8 @@ SHELL := bash
 .ONESHELL:
 .SILENT:
 .DEFAULT_GOAL := help
-.PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora check-programs update-goldens plots \
-	rust-parts wasm-target chromium packages command-line xz corpus model doubt words
+.PHONY: help serve test test-long fmt lint bench build e2e shots check-corpora check-programs check-roslibpy update-goldens plots \
+	rust-parts wasm-target chromium packages command-line peer xz corpus model doubt words
 
 # Where our own tools live; another folder can be given to share them between work trees.
 TOOLS ?= target/tools
@@ -135,14 +135,28 @@ check-corpora: build chromium ## train the page on a corpus kept elsewhere: DIR=
 check-programs: command-line ## read what pandas, R, LibreOffice and jq write, those that are installed: PYTHON=a Python with pandas
 	bash tests/programs.sh
 
-e2e: build command-line chromium ## drive the built site in Chromium: FLOWS="words of their titles" for some
+# A Python with roslibpy of its own; another can be given.
+ROSLIBPY := $(TOOLS)/roslibpy-2.1.0
+
+check-roslibpy: rust-parts peer $(ROSLIBPY)/bin/python ## hold the frames of a robot's page against those of roslibpy 2.1
+	"$(ROSLIBPY)/bin/python" tests/peers/roslibpy_client.py target/debug/examples/peer tests/data/robot/frames.jsonl
+
+$(ROSLIBPY)/bin/python:
+	command -v python3 >/dev/null || { echo "Python is missing: apt-get install python3 python3-venv" >&2; exit 1; }
+	$(call run,roslibpy,Installing roslibpy under target/tools,\
+		python3 -m venv "$(ROSLIBPY)" && "$(ROSLIBPY)/bin/pip" install -q --disable-pip-version-check roslibpy==2.1.0)
+
+e2e: build command-line peer chromium ## drive the built site in Chromium: FLOWS="words of their titles" for some
 	node tests/e2e/run.mjs $(FLOWS)
 
-update-goldens: build command-line chromium ## take the golden pictures of the end-to-end flows anew
+update-goldens: build command-line peer chromium ## take the golden pictures of the end-to-end flows anew
 	UPDATE=1 node tests/e2e/run.mjs
 
 command-line:
 	$(call run,command-line,Building the command line,cargo build --bin groundling)
+
+peer:
+	$(call run,peer,Building the rosbridge of the flows,cargo build --example peer)
 
 # What is installed, and where it is looked for.
 

@@ -35,4 +35,5 @@ pub mod learn;
 pub mod study;
 pub mod render;
 pub mod worker;
+pub mod robot;
 pub mod ui;

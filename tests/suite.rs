@@ -55,6 +55,10 @@ mod explain;
 mod worker;
 #[path = "suite/demonstration.rs"]
 mod demonstration;
+#[path = "peer/peer.rs"]
+mod peer;
+#[path = "suite/robot.rs"]
+mod robot;
 #[path = "suite/ui.rs"]
 mod ui;
 #[path = "suite/proof.rs"]

@@ -2,7 +2,7 @@
 // Whatever of this site is asked for comes from the network while there is one, and a copy stays; without one the copy
 // answers. It keeps nothing of other origins, and nothing that is sent.
 
-const FILES = ["collect.html", "collect.css", "collect.js", "collect_bg.wasm", "boot.js", "icon.svg"];
+const FILES = ["collect.html", "base.css", "collect.css", "collect.js", "collect_bg.wasm", "boot.js", "icon.svg"];
 const base = new URL("./", self.location.href).href;
 const STORE = `groundling collect ${base}`;
 

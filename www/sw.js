@@ -6,7 +6,7 @@ const scope = self.registration.scope;
 const STORE = `groundling ${scope}`;
 
 // What the page's programs load by themselves; what else there is, the page names.
-const LATER = ["engine.js", "learner.js", "learner_bg.wasm", "renderer.js", "renderer_bg.wasm", "keeper.js", "keeper_bg.wasm", "workbench.js", "workbench_bg.wasm", "workbench.css", "cleanup.model", "words.txt", "help.en.html", "help.de.html"];
+const LATER = ["engine.js", "learner.js", "learner_bg.wasm", "renderer.js", "renderer_bg.wasm", "keeper.js", "keeper_bg.wasm", "workbench.js", "workbench_bg.wasm", "workbench.css", "cleanup.model", "words.txt", "robot.html", "robot.css", "robot.js", "robot_bg.wasm", "help.en.html", "help.de.html"];
 
 // The address that a copy is kept under: the engine's script is one file, whichever program it is asked for.
 function nameOf(address) {

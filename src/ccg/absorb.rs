@@ -119,7 +119,8 @@ pub fn absorbed(
 }
 
 /// The items, each also over the empty words to its right; those at the beginning of the sentence are absorbed by
-/// the item that follows. So there is one way to absorb a word.
+/// the item that follows. So there is one way to absorb a word. What nothing can stand beside is left out: a word that
+/// can only be absorbed costs no more than that.
 pub fn absorbing(items: Vec<Lexical>, costs: &[Option<f64>]) -> Vec<Lexical> {
     // What it adds to leave all words before a place without meaning.
     let mut leading = vec![Some(0.0)];
@@ -128,19 +129,44 @@ pub fn absorbing(items: Vec<Lexical>, costs: &[Option<f64>]) -> Vec<Lexical> {
         sum = sum.zip(*cost).map(|(sum, cost)| sum + cost);
         sum
     }));
+    let (begins, ends) = neighbours(&items, costs);
     let mut all = Vec::with_capacity(items.len());
     for item in items {
-        let mut starts = vec![(item.start, 0.0)];
+        let mut starts = Vec::new();
+        if item.start == 0 || ends[item.start] {
+            starts.push((item.start, 0.0));
+        }
         starts.extend(leading[item.start].filter(|_| item.start > 0).map(|cost| (0, cost)));
         for (start, before) in starts {
             let mut score = item.score + before;
-            all.push(Lexical { start, score, ..item });
+            let mut add = |end: usize, score: f64| {
+                if begins[end] {
+                    all.push(Lexical { start, end, score, ..item });
+                }
+            };
+            add(item.end, score);
             for (end, cost) in (item.end + 1..).zip(&costs[item.end..]) {
                 let Some(cost) = cost else { break };
                 score += cost;
-                all.push(Lexical { start, end, score, ..item });
+                add(end, score);
             }
         }
     }
     all
+}
+
+/// For every place whether an item begins there, as if one did at the end; and whether one ends there with what it
+/// absorbs.
+fn neighbours(items: &[Lexical], costs: &[Option<f64>]) -> (Vec<bool>, Vec<bool>) {
+    let mut begins = vec![false; costs.len() + 1];
+    let mut ends = begins.clone();
+    begins[costs.len()] = true;
+    for item in items {
+        begins[item.start] = true;
+        ends[item.end] = true;
+    }
+    for (at, cost) in costs.iter().enumerate() {
+        ends[at + 1] |= ends[at] && cost.is_some();
+    }
+    (begins, ends)
 }

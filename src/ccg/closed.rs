@@ -2,6 +2,8 @@
 //! such a word is used with its meaning by an entry of a seed lexicon, or the sentence has no full reading. No learned
 //! entry speaks for one, none goes without meaning, and nothing throws one away with an argument.
 
+use crate::logic::order;
+use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 
@@ -32,16 +34,30 @@ struct Phrase {
     kind: Kind,
 }
 
-static PHRASES: LazyLock<Vec<Phrase>> = LazyLock::new(|| {
+/// All phrases in the list's order, and where those stand that begin with a word, or with an ending.
+#[derive(Default)]
+struct Phrases {
+    all: Vec<Phrase>,
+    by_word: FxHashMap<&'static str, Vec<usize>>,
+    by_ending: Vec<(&'static str, usize)>,
+}
+
+static PHRASES: LazyLock<Phrases> = LazyLock::new(|| {
     let lines = include_str!("../../assets/lexicon/closed.txt").lines();
     let lines = lines.filter_map(|line| line.split('#').next()?.split_once(':'));
-    let mut phrases = Vec::new();
+    let mut phrases = Phrases::default();
     for (name, all) in lines {
         let kind = KINDS.iter().find(|(known, _)| *known == name.trim()).map(|&(_, kind)| kind);
         for phrase in all.split('|').map(str::trim) {
-            let words = phrase.split_whitespace().collect();
+            let words: Vec<_> = phrase.split_whitespace().collect();
             // A test holds that every line has a kind.
-            phrases.extend(kind.map(|kind| Phrase { words, kind }));
+            let (Some(&first), Some(kind)) = (words.first(), kind) else { continue };
+            let place = phrases.all.len();
+            match first.strip_prefix('-') {
+                Some(ending) => phrases.by_ending.push((ending, place)),
+                None => phrases.by_word.entry(first).or_default().push(place),
+            }
+            phrases.all.push(Phrase { words, kind });
         }
     }
     phrases
@@ -49,22 +65,34 @@ static PHRASES: LazyLock<Vec<Phrase>> = LazyLock::new(|| {
 
 /// For every word of a command what it does, if it is closed; where several phrases cover a word, the first of the list.
 pub fn closed(words: &[impl AsRef<str>]) -> Vec<Option<Kind>> {
+    let Phrases { all, by_word, by_ending } = &*PHRASES;
+    let mut found: Vec<(usize, usize)> = Vec::new();
+    for (start, first) in words.iter().enumerate() {
+        let ends = |&&(ending, _): &&(&str, usize)| first.as_ref().ends_with(ending);
+        let ending = by_ending.iter().filter(ends).map(|&(_, place)| place);
+        let same = by_word.get(first.as_ref()).into_iter().flatten().copied();
+        let begun = same.chain(ending).filter(|&place| stands(&all[place].words, &words[start..]));
+        found.extend(begun.map(|place| (place, start)));
+    }
+    order::sort_by_key(&mut found, |&one| one);
     let mut places = vec![None; words.len()];
-    for Phrase { words: own, kind } in PHRASES.iter() {
-        for start in 0..(words.len() + 1).saturating_sub(own.len()) {
-            let here = &words[start..start + own.len()];
-            let matches = here.iter().zip(own).all(|(word, own)| match own.strip_prefix('-') {
-                Some(ending) => word.as_ref().ends_with(ending),
-                None => word.as_ref() == *own,
-            });
-            if matches {
-                places[start..start + own.len()].iter_mut().for_each(|place| {
-                    place.get_or_insert(*kind);
-                });
-            }
-        }
+    for (place, start) in found {
+        let Phrase { words: own, kind } = &all[place];
+        places[start..start + own.len()].iter_mut().for_each(|place| {
+            place.get_or_insert(*kind);
+        });
     }
     places
+}
+
+/// Whether words begin with those of a phrase.
+fn stands(own: &[&str], words: &[impl AsRef<str>]) -> bool {
+    let mut both = words.iter().map(AsRef::as_ref).zip(own);
+    own.len() <= words.len()
+        && both.all(|(word, own): (&str, &&str)| match own.strip_prefix('-') {
+            Some(ending) => word.ends_with(ending),
+            None => word == *own,
+        })
 }
 
 /// Whether any of the words is closed.
@@ -74,7 +102,7 @@ pub fn any_closed(words: &[impl AsRef<str>]) -> bool {
 
 /// The closed words that stand alone, in the list's order: what a misspelt word may be.
 pub fn closed_words() -> impl Iterator<Item = &'static str> {
-    PHRASES.iter().filter_map(|phrase| match phrase.words[..] {
+    PHRASES.all.iter().filter_map(|phrase| match phrase.words[..] {
         [word] if !word.starts_with('-') => Some(word),
         _ => None,
     })

@@ -6,7 +6,7 @@ use super::category::Category;
 use super::syntax::{Atom, Direction, SyntaxId, Syntaxes};
 use crate::logic::{ConstantId, Expression, LogicError, Node, Sorts, TermId, Terms, ty};
 use indexmap::IndexSet;
-use rustc_hash::FxBuildHasher;
+use rustc_hash::{FxBuildHasher, FxHashMap};
 
 /// A row of [`RULES`], or after those a shift of the grammar's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -251,6 +251,8 @@ pub struct Grammar {
     /// not asked yet.
     rows: Vec<Vec<u32>>,
     known: IndexSet<Rows, FxBuildHasher>,
+    /// What became of neighbours by rules without a functor: applications and compositions are known to the terms.
+    beside: FxHashMap<(RuleId, TermId, TermId), Option<TermId>>,
 }
 
 impl Grammar {
@@ -284,13 +286,16 @@ impl Grammar {
         right: TermId,
         allow_vacuous: bool,
     ) -> Option<TermId> {
-        let rule = RULES.get(usize::from(rule.0))?;
-        let meaning = (rule.meaning)(&mut self.terms, left, right).ok()?;
-        let (functor, argument) = match rule.functor {
+        let Rule { functor, meaning, .. } = RULES.get(usize::from(rule.0))?;
+        let (functor, argument) = match functor {
             Side::Left => (left, right),
             Side::Right => (right, left),
-            Side::Raised | Side::Neither | Side::Beside => return Some(meaning),
+            Side::Raised | Side::Neither | Side::Beside => {
+                let make = || meaning(&mut self.terms, left, right).ok();
+                return *self.beside.entry((rule, left, right)).or_insert_with(make);
+            }
         };
+        let meaning = meaning(&mut self.terms, left, right).ok()?;
         let vacuous = meaning == argument && !self.is_identity(functor);
         (allow_vacuous || !vacuous).then_some(meaning)
     }
@@ -360,26 +365,24 @@ impl Grammar {
         said.saturating_sub(self.terms.predicates(whole))
     }
 
-    /// The syntactic categories that shifts make of another.
+    /// The shifts of a syntactic category, with what they make of it.
     /// Those to clauses of time are `late`: they may follow one of the others.
-    pub(super) fn shifted_syntaxes(
+    pub(super) fn shifts_of(
         &self,
         from: SyntaxId,
         late: bool,
-    ) -> impl Iterator<Item = SyntaxId> {
-        let fits = move |shift: &&Shift| shift.from == from && shift.is_late() == late;
-        self.shifts.iter().filter(fits).map(|shift| shift.to)
+    ) -> impl Iterator<Item = (RuleId, SyntaxId)> {
+        let numbered = (RULES.len() as u8..).map(RuleId).zip(&self.shifts);
+        let fits = move |shift: &Shift| shift.from == from && shift.is_late() == late;
+        numbered.filter(move |(_, shift)| fits(shift)).map(|(rule, shift)| (rule, shift.to))
     }
 
     /// What the shifts make of a category, with the rules.
     pub fn shifted(&mut self, category: Category, late: bool) -> Vec<(RuleId, Category)> {
-        let Grammar { shifts, terms, .. } = self;
-        let first = RULES.len() as u8;
-        let fits = |shift: &Shift| shift.from == category.syntax && shift.is_late() == late;
-        let fitting = (first..).zip(shifts).filter(|(_, shift)| fits(shift));
-        let shifted = fitting.filter_map(|(row, shift)| {
-            let meaning = terms.apply(shift.meaning, category.meaning).ok()?;
-            Some((RuleId(row), Category { syntax: shift.to, meaning }))
+        let shifts: Vec<_> = self.shifts_of(category.syntax, late).collect();
+        let shifted = shifts.into_iter().filter_map(|(rule, syntax)| {
+            let meaning = self.meaning(rule, &[category.meaning])?;
+            Some((rule, Category { syntax, meaning }))
         });
         shifted.collect()
     }

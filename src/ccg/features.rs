@@ -207,6 +207,16 @@ impl Features {
         })
     }
 
+    /// The id of a feature, if it has one.
+    pub(super) fn id(&self, feature: Feature) -> Option<FeatureId> {
+        self.index.get(&feature).copied()
+    }
+
+    /// The weight of a feature by its id.
+    pub(super) fn weight_at(&self, id: FeatureId) -> f64 {
+        self.weights[id.0 as usize]
+    }
+
     /// What one occurrence of the feature adds to a score: its weight times its scale.
     pub fn value(&self, feature: Feature) -> f64 {
         self.index.get(&feature).map_or(0.0, |&id| self.weights[id.0 as usize] * feature.scale())

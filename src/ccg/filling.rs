@@ -307,29 +307,53 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
     fn shift(&mut self, first: u32, start: usize, end: usize) {
         for late in [false, true] {
             self.cell.known.clear();
+            let mut known: Vec<(SyntaxId, Vec<(RuleId, SyntaxId)>)> = Vec::new();
             for child in first..self.chart.edges.len() as u32 {
-                self.shift_edge(child, (start, end), late);
+                let from = self.chart.edge(child).category.syntax;
+                let place = known.iter().position(|(syntax, _)| *syntax == from);
+                let place = place.unwrap_or_else(|| {
+                    known.push((from, self.shifts(from, (start, end), late)));
+                    known.len() - 1
+                });
+                let edge = *self.chart.edge(child);
+                let made =
+                    if late && !edge.made.is_shifted() { Made::ByTask } else { Made::ByShift };
+                for &(rule, syntax) in &known[place].1 {
+                    self.shift_edge((child, edge), (rule, syntax), made, start as u32);
+                }
             }
             self.chart.edges.append(&mut self.cell.edges);
         }
     }
 
-    fn shift_edge(&mut self, child: u32, (start, end): (usize, usize), late: bool) {
-        let edge = *self.chart.edge(child);
-        let made = if late && !edge.made.is_shifted() { Made::ByTask } else { Made::ByShift };
-        for (rule, category) in self.grammar.shifted(edge.category, late) {
-            if !self.reach.is_useful(start, end, category.syntax)
-                || !self.config.allow_throwing && self.grammar.shift_throws(rule)
-            {
-                continue;
-            }
-            let lost = self.grammar.lost(&[edge.category.meaning], category.meaning);
-            let own = self.features.value(Feature::Rule(rule));
-            let score = edge.score + own + f64::from(lost) * self.loss;
-            let step = Step::Shift { rule, child };
-            let split = start as u32;
-            self.add(Found { category, made, score, step, split });
-        }
+    /// The shifts of a syntactic category that lead to something over a span.
+    fn shifts(
+        &self,
+        from: SyntaxId,
+        (start, end): (usize, usize),
+        late: bool,
+    ) -> Vec<(RuleId, SyntaxId)> {
+        let Filling { grammar, reach, config, .. } = self;
+        let leads = |&(rule, syntax): &(RuleId, SyntaxId)| {
+            reach.is_useful(start, end, syntax)
+                && (config.allow_throwing || !grammar.shift_throws(rule))
+        };
+        grammar.shifts_of(from, late).filter(leads).collect()
+    }
+
+    fn shift_edge(
+        &mut self,
+        (child, edge): (u32, Edge),
+        (rule, syntax): (RuleId, SyntaxId),
+        made: Made,
+        split: u32,
+    ) {
+        let part = edge.category.meaning;
+        let Some(meaning) = self.grammar.meaning(rule, &[part]) else { return };
+        let own = self.features.value(Feature::Rule(rule));
+        let score = edge.score + own + f64::from(self.grammar.lost(&[part], meaning)) * self.loss;
+        let (category, step) = (Category { syntax, meaning }, Step::Shift { rule, child });
+        self.add(Found { category, made, score, step, split });
     }
 
     /// Files the edges from `first` on by syntax.

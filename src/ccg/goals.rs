@@ -2,10 +2,10 @@
 //! of it again and again, as training does.
 
 use super::combinator::Grammar;
-use super::features::{Feature, Features, root_features};
+use super::features::{Feature, FeatureId, Features, root_features};
 use crate::logic::{ConstantId, Node, TermId, Terms, print};
 use rustc_hash::FxHashMap;
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::rc::Rc;
 
 /// A goal.
@@ -17,13 +17,21 @@ pub struct Goal {
     pub key: TermId,
     /// Its features.
     pub features: Vec<Feature>,
+    /// Where their weights are, as far as that is known.
+    places: Vec<Cell<Option<FeatureId>>>,
     printed: OnceCell<String>,
 }
 
 impl Goal {
     /// What its features add to a derivation's score.
     pub fn scored(&self, features: &Features, score: f64) -> f64 {
-        self.features.iter().fold(score, |sum, &feature| sum + features.value(feature))
+        let both = self.features.iter().zip(&self.places);
+        both.fold(score, |sum, (&feature, place)| {
+            if place.get().is_none() {
+                place.set(features.id(feature));
+            }
+            sum + place.get().map_or(0.0, |id| features.weight_at(id) * feature.scale())
+        })
     }
 
     /// Its text, by which ties break.
@@ -32,7 +40,7 @@ impl Goal {
     }
 }
 
-/// Goals of one arena that were asked of.
+/// Goals of one arena, scored by the features of one model.
 #[derive(Debug, Default)]
 pub struct Goals(FxHashMap<TermId, Rc<Goal>>);
 
@@ -44,7 +52,8 @@ impl Goals {
             let form = terms.ended(meaning);
             let features = root_features(terms, sorts, form);
             let key = commuted(terms, commutative, form);
-            Rc::new(Goal { form, key, features, printed: OnceCell::new() })
+            let places = vec![Cell::new(None); features.len()];
+            Rc::new(Goal { form, key, features, places, printed: OnceCell::new() })
         });
         Rc::clone(goal)
     }

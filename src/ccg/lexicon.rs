@@ -184,6 +184,15 @@ impl Lexicon {
         self.by_words.get(words).map_or(&[], Vec::as_slice)
     }
 
+    /// Whether any entry that came after so many stands in these words.
+    pub fn says_more(&self, then: usize, words: &[String]) -> bool {
+        self.admitted.iter().skip(then).any(|&id| {
+            let own = &self.lexeme(self.entry(id).lexeme).words;
+            let same = |here: &[String]| here.iter().zip(own).all(|(a, b)| **a == **b);
+            words.windows(own.len().max(1)).any(same)
+        })
+    }
+
     /// Whether the word occurs in any entry of the lexicon proper.
     pub fn knows(&self, word: &str) -> bool {
         self.vocabulary.contains(word)

@@ -105,7 +105,7 @@ impl Reach {
         for late in [false, true].into_iter().filter(|late| self.in_time || !late) {
             for child in 0..cell.len() {
                 let from = cell[child].syntax;
-                for syntax in grammar.shifted_syntaxes(from, late) {
+                for (_, syntax) in grammar.shifts_of(from, late) {
                     place(&mut cell, syntax).ways.push(Way::Shift { child });
                 }
             }

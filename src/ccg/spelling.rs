@@ -33,12 +33,15 @@ fn nearest(model: &Model, word: &str) -> Option<String> {
         return None;
     }
     let bound = if length < LONG { 1 } else { 2 };
-    let mut known: Vec<&str> = lexicon.vocabulary().collect();
-    known.retain(|known| lexicon.has_meaning(known));
-    known.extend(closed_words().map(|word| -> &str { word }));
-    let near = known.into_iter().filter_map(|known| {
+    let words = lexicon.vocabulary().map(|known| (known, false));
+    let known = words.chain(closed_words().map(|known| (known, true)));
+    let near = known.filter_map(|(known, is_closed)| {
+        // The distance is never less than the difference in length.
+        if known.chars().count().abs_diff(length) > bound {
+            return None;
+        }
         let distance = strsim::damerau_levenshtein(word, known);
-        if distance > bound {
+        if distance > bound || !is_closed && !lexicon.has_meaning(known) {
             return None;
         }
         let turns = closed(&[known]) == [Some(Kind::Turns)];

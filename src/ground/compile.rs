@@ -5,7 +5,7 @@
 use super::bound::BoundOf;
 use super::distance::Ground;
 use super::goal::{Formula, Goal};
-use super::pairs::Pairs;
+use super::pairs::{Pairs, Wanted};
 use super::predicate::Relation;
 use super::thing::{Entity, Thing};
 use super::wish::{Atom, Body, Load, Node, Wish, Wishes, place};
@@ -63,17 +63,19 @@ impl Compiled {
     /// What makes the bound sharper, not made yet: see [`Pairs`]. The doors stay as they are in `initial`.
     pub(super) fn pairs(&self, dynamics: &Dynamics, initial: Packed) -> Option<Pairs> {
         let layout = dynamics.layout();
-        let wanted = self.loads().iter().filter_map(|load| match load {
+        let wanted = self.loads().iter().enumerate().filter_map(|(index, load)| match load {
             Load::One { object, wishes } => {
                 let is_wanted = |place| {
                     let cell = layout.cell(place);
                     wishes.iter().all(|&wish| self.wishes[wish].holds(cell, cell))
                 };
-                Some((*object, layout.places().map(is_wanted).collect()))
+                let places = layout.places().map(is_wanted).collect();
+                let least = self.part(index, dynamics, initial).unwrap_or_default();
+                Some(Wanted { object: *object, places, least })
             }
             Load::Two(_) => None,
         });
-        let wanted: Vec<(usize, Vec<bool>)> = wanted.collect();
+        let wanted: Vec<Wanted> = wanted.collect();
         Pairs::new(dynamics, &Ground::new(dynamics, initial, false), &wanted)
     }
 
@@ -90,7 +92,7 @@ impl Compiled {
         packed: Packed,
     ) -> Option<u32> {
         let paired = pairs.bound(dynamics, packed)?;
-        let whole = if self.is_paired {
+        let whole = if self.is_paired && pairs.is_whole() {
             self.bound.sum(self.loads(), &self.atoms, dynamics, packed)?
         } else {
             self.bound(dynamics, packed)?

@@ -19,6 +19,7 @@ mod landmarks;
 mod cells;
 mod distance;
 mod wish;
+mod grid;
 mod pairs;
 mod bound;
 mod compile;

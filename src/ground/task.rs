@@ -9,11 +9,11 @@ use crate::domain::layout::Place;
 use crate::domain::{
     Action, Carry, Dynamics, Form, PackError, Packed, Rules, State, StateError, Walks,
 };
-use crate::mdp::{Leaps, Mdp, each_action};
-use std::cell::{OnceCell, RefCell};
+use crate::mdp::{Leaps, Mdp, Sharpened, each_action};
+use std::cell::RefCell;
 
-/// Entries of tables that are looked at in a part of what makes bounds sharper.
-const ENTRIES: usize = 200;
+/// Sets of robots that are looked at in a part of what makes bounds sharper.
+const SETS: usize = 50;
 
 /// The number of the leap that only walks.
 const ARRIVE: u16 = u16::MAX;
@@ -29,9 +29,8 @@ pub struct Task {
     /// Whether nothing goes wrong on them.
     is_sure: bool,
     walks: RefCell<Walks>,
-    /// What makes the bound sharper while it is being made, and once it is.
-    making: RefCell<Option<Pairs>>,
-    pairs: OnceCell<Option<Pairs>>,
+    /// What makes the bound sharper, as far as it is made.
+    pairs: Option<RefCell<Pairs>>,
 }
 
 /// Why there is no task.
@@ -60,7 +59,7 @@ impl Task {
         let is_sure = has_leaps
             && dynamics.is_deterministic(start)
             && [chances.slip(), chances.loss()] == [0.0; 2];
-        let making = if is_sure { goal.pairs(&dynamics, start) } else { None };
+        let pairs = if is_sure { goal.pairs(&dynamics, start) } else { None };
         let walks = RefCell::new(Walks::new(&dynamics));
         Ok(Self {
             dynamics,
@@ -69,8 +68,7 @@ impl Task {
             has_leaps,
             is_sure,
             walks,
-            making: RefCell::new(making),
-            pairs: OnceCell::new(),
+            pairs: pairs.map(RefCell::new),
         })
     }
 
@@ -171,9 +169,9 @@ impl Mdp for Task {
     }
 
     fn heuristic(&self, state: Packed) -> Option<u32> {
-        match self.pairs.get() {
-            Some(Some(pairs)) => self.goal.bound_with(pairs, &self.dynamics, state),
-            _ => self.goal.bound(&self.dynamics, state),
+        match &self.pairs {
+            Some(pairs) => self.goal.bound_with(&pairs.borrow(), &self.dynamics, state),
+            None => self.goal.bound(&self.dynamics, state),
         }
     }
 
@@ -181,13 +179,8 @@ impl Mdp for Task {
         self.goal.most(&self.dynamics, state, discount)
     }
 
-    fn sharpen(&self) -> bool {
-        let mut making = self.making.borrow_mut();
-        if making.as_mut().is_none_or(|pairs| pairs.step(ENTRIES)) {
-            // Said twice, it is the same.
-            self.pairs.get_or_init(|| making.take());
-        }
-        self.pairs.get().is_some()
+    fn sharpen(&self) -> Sharpened {
+        self.pairs.as_ref().map_or(Sharpened::Whole, |pairs| pairs.borrow_mut().step(SETS))
     }
 
     fn estimate(&self, state: Packed) -> Option<u32> {

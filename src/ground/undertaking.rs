@@ -6,7 +6,7 @@ use super::errand::{Errand, ErrandError, errand};
 use super::task::Task;
 use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Dynamics, Packed, Rules, State};
-use crate::mdp::{Leaps, Mdp, Watch, each_action};
+use crate::mdp::{Leaps, Mdp, Sharpened, Watch, each_action};
 
 /// Something to be done from an initial state, under the rules of a world.
 #[derive(Debug)]
@@ -194,10 +194,10 @@ impl Mdp for Undertaking {
         }
     }
 
-    fn sharpen(&self) -> bool {
+    fn sharpen(&self) -> Sharpened {
         match self {
             Undertaking::Goal(task) => task.sharpen(),
-            Undertaking::Course(_) => true,
+            Undertaking::Course(_) => Sharpened::Whole,
         }
     }
 

@@ -2,7 +2,7 @@
 //! template with one placeholder constant a type; what a full parse used is filled in with every constant of the
 //! type. What comes out are candidates: only validation makes them entries.
 
-use super::novelty::novelty;
+use super::novelty::{Novelty, novelty};
 use crate::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
 use crate::ccg::chart::{Chart, ChartConfig, Derivations, Lexical, Step};
 use crate::ccg::factor::instantiate;
@@ -91,6 +91,11 @@ pub fn generate(
     let templates = coarse_categories(model, domain);
     let empty = empty_candidates(model, words);
     let items = coarse_items(model, words, scope, &templates, &empty);
+    let is_open = items.iter().any(|item| (item.item as usize) < templates.len());
+    let is_new = |&id: &EntryId| model.lexicon.is_candidate(id);
+    if !is_open && !empty.iter().flatten().any(is_new) {
+        return Generated { empty, ..Generated::default() };
+    }
     let known = charts.0.iter().position(|known| known.items == items);
     let known = known.unwrap_or_else(|| {
         let chart = coarse_chart(model, words.len(), items.clone(), config);
@@ -188,6 +193,10 @@ fn coarse_items(
                 continue;
             }
             let novelty = novelty(model, own);
+            // What relates things stands between others.
+            if novelty == Novelty::Relation && (start == 0 || end == words.len()) {
+                continue;
+            }
             for (item, &(_, category)) in (0..).zip(templates) {
                 if novelty.admits_syntax(model, category.syntax) {
                     let own = (start, end);

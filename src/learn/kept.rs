@@ -13,7 +13,7 @@ use std::rc::Rc;
 /// Edges and derivations that all forests together may have: some 100 MB. What does not fit is read anew each time.
 const MOST: usize = 3_000_000;
 /// Derivations that are tried without a beam for the sake of a forest.
-const LARGEST: usize = 40_000;
+const LARGEST: usize = 120_000;
 
 /// The goals that a command can mean, ranked, with their features; whether its chart is not whole.
 pub(super) type Read = (Vec<(TermId, Rc<Vector>)>, bool);
@@ -132,6 +132,9 @@ impl Kept {
         let entries = model.lexicon.len();
         match self.commands[at].take() {
             Some(command) if command.entries == entries => command,
+            Some(command) if command.heard.stays(model, command.entries, words) => {
+                Command { entries, ..command }
+            }
             known => {
                 let heard = Heard::new(model, words);
                 match known {
@@ -160,6 +163,17 @@ impl Heard {
         let taken = items.iter().map(taken).collect();
         let absorbed = absorbed(model, words, empty, Leniency::Learned);
         Heard { hearing, items, taken, absorbed }
+    }
+
+    /// Whether it is what the model says of these words, as it was when the lexicon had so many entries: there is no word
+    /// that it does not know, and none of the entries that came since stands in them.
+    fn stays(&self, model: &Model, then: usize, words: &[String]) -> bool {
+        let Hearing { words: heard, closed, .. } = &self.hearing;
+        let is_sure =
+            |(word, closed): (&String, &Option<_>)| closed.is_some() || model.lexicon.knows(word);
+        heard == words
+            && words.iter().zip(closed).all(is_sure)
+            && !model.lexicon.says_more(then, words)
     }
 
     /// Whether another says the same, whatever it scores.

@@ -9,6 +9,7 @@ pub mod gradient;
 pub mod planning;
 pub mod config;
 pub mod fingerprint;
+mod asked;
 mod kept;
 mod idioms;
 mod phase;

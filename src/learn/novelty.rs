@@ -1,7 +1,7 @@
 //! What words may newly come to mean. The seed lexicon is what an English speaker brings along: a corpus does not
 //! teach that "red" is a place, nor that "the" is a chair. Only nouns stretch: a "box" may be any movable thing.
 
-use crate::ccg::{Atom, EntryId, Model, Origin, SyntaxId};
+use crate::ccg::{Atom, EntryId, Model, Origin, SyntaxId, Syntaxes};
 use crate::logic::ConstantId;
 
 /// How far the meaning of words is open.
@@ -13,6 +13,8 @@ pub enum Novelty {
     Like(Vec<ConstantId>),
     /// They may mean nothing: they frame what others say, as "move" and "the" do, and here there may be no frame.
     Silence,
+    /// They may relate things, or mean nothing, as "side" and "on" do by the seed.
+    Relation,
     /// They mean what the seed says.
     None,
 }
@@ -24,7 +26,8 @@ pub fn novelty(model: &Model, span: &[String]) -> Novelty {
     let syntax = |id: EntryId| lexicon.category(id).syntax;
     let known: Vec<EntryId> = span.iter().flat_map(|word| seed_meanings(model, word)).collect();
     if known.is_empty() {
-        return Novelty::Any;
+        let is_new = span.iter().any(|word| !is_filler(model, word));
+        return if is_new { Novelty::Any } else { Novelty::Relation };
     }
     if known.iter().all(|&id| constants(id).is_empty()) {
         return Novelty::Silence;
@@ -35,6 +38,13 @@ pub fn novelty(model: &Model, span: &[String]) -> Novelty {
     if nouns.is_empty() { Novelty::None } else { Novelty::Like(nouns) }
 }
 
+/// Whether the seed says of a word that it may mean nothing.
+fn is_filler(model: &Model, word: &str) -> bool {
+    let lexicon = &model.lexicon;
+    let is_empty = |&id: &EntryId| lexicon.origin(id) == Origin::Seed && lexicon.is_empty_entry(id);
+    lexicon.entries_for_word(word).iter().any(is_empty)
+}
+
 /// The seed entries by which a word alone means something.
 fn seed_meanings(model: &Model, word: &str) -> impl Iterator<Item = EntryId> {
     let lexicon = &model.lexicon;
@@ -42,10 +52,16 @@ fn seed_meanings(model: &Model, word: &str) -> impl Iterator<Item = EntryId> {
     lexicon.entries_for_word(word).iter().copied().filter(means)
 }
 
+/// Whether a syntactic category has a thing among its arguments.
+fn takes_thing(all: &Syntaxes, syntax: SyntaxId) -> bool {
+    let parts = all.forward(syntax).or_else(|| all.backward(syntax));
+    parts.is_some_and(|(result, argument)| all.is(argument, Atom::NP) || takes_thing(all, result))
+}
+
 impl Novelty {
     /// Whether the words may mean nothing.
     pub fn admits_silence(&self) -> bool {
-        matches!(self, Novelty::Any | Novelty::Silence)
+        matches!(self, Novelty::Any | Novelty::Silence | Novelty::Relation)
     }
 
     /// Whether the words may have the syntactic category.
@@ -53,6 +69,7 @@ impl Novelty {
         match self {
             Novelty::Any => true,
             Novelty::Like(_) => model.grammar.syntaxes.is(syntax, Atom::N),
+            Novelty::Relation => takes_thing(&model.grammar.syntaxes, syntax),
             Novelty::Silence | Novelty::None => false,
         }
     }
@@ -61,7 +78,7 @@ impl Novelty {
     pub fn admits(&self, model: &Model, constants: &[ConstantId]) -> bool {
         let sorts = |c: ConstantId| model.grammar.sorts.of(model.grammar.terms.name(c));
         match self {
-            Novelty::Any => true,
+            Novelty::Any | Novelty::Relation => true,
             Novelty::Like(nouns) => constants
                 .iter()
                 .all(|&constant| nouns.iter().any(|&noun| sorts(noun) == sorts(constant))),

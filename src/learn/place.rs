@@ -1,4 +1,7 @@
-//! Where a run stands, as a checkpoint says it, and why a run cannot go on from one.
+//! Where a run stands, as a checkpoint says it, why a run cannot go on from one, and the order of an epoch.
+
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg32;
 
 /// The facts of a checkpoint that a finished model does not have.
 pub(super) const PLACE: [&str; 5] =
@@ -6,6 +9,9 @@ pub(super) const PLACE: [&str; 5] =
 
 /// The fact of a checkpoint that says which commands the learned entries came from.
 pub(super) const BORN: &str = "at_born";
+
+/// The fact of a checkpoint that says when it was asked for new entries of each command.
+pub(super) const ASKED: &str = "at_asked";
 
 /// Why a run cannot go on from a checkpoint.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -26,4 +32,15 @@ pub(super) fn born(fact: Option<&String>, n_items: usize, n_entries: usize) -> V
     let fits =
         |born: &Vec<u32>| born.len() <= n_entries && born.iter().all(|&at| (at as usize) < n_items);
     born.ok().filter(fits).unwrap_or_default()
+}
+
+/// So many commands in the order of an epoch: every run of this seed has the same.
+pub(super) fn order(n_items: usize, seed: u32, epoch: u32) -> Vec<u32> {
+    let mut order: Vec<u32> = (0..n_items as u32).collect();
+    let mut random = Pcg32::seed_from_u64(u64::from(seed) << 32 | u64::from(epoch));
+    for last in (1..order.len() as u32).rev() {
+        let other = random.random_range(0..=last);
+        order.swap(last as usize, other as usize);
+    }
+    order
 }

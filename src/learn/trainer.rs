@@ -1,6 +1,7 @@
 //! Training as a resumable walk over epochs and examples: generate candidates, keep those of the best valid
 //! parses, update the weights (after Artzi and Zettlemoyer 2013). A function of corpus, settings and seed alone.
 
+use super::asked::Asked;
 use super::config::Config;
 use super::fingerprint::fingerprint;
 use super::genlex::{Candidate, CoarseCharts, Domain, Generated, Scope, generate};
@@ -9,7 +10,7 @@ use super::idioms::{Command, Idioms, SEARCH};
 use super::kept::{Kept, Read};
 use super::look::{Last, Look};
 use super::phase::Phase;
-use super::place::{BORN, PLACE, ResumeError, born};
+use super::place::{ASKED, BORN, PLACE, ResumeError, born, order};
 use super::planning::{PlannerCost, Planning, Validation};
 use super::progress::{Epoch, Progress};
 use crate::ccg::absorb::{Leniency, absorbing, absorption};
@@ -24,8 +25,6 @@ use crate::corpus::Example;
 use crate::ground::PairId;
 use crate::logic::TermId;
 use indexmap::IndexMap;
-use rand::{RngExt, SeedableRng};
-use rand_pcg::Pcg32;
 use rustc_hash::FxBuildHasher;
 use std::rc::Rc;
 
@@ -52,6 +51,7 @@ pub struct Trainer {
     /// What was read of the command at work, while nothing is learned that could change it.
     read: Option<Read>,
     coarse: CoarseCharts,
+    asked: Asked,
     order: Vec<u32>,
     epoch: u32,
     next: usize,
@@ -89,11 +89,13 @@ impl Trainer {
         let items: Vec<Item> =
             items.into_iter().map(|(words, examples)| Item { words, examples }).collect();
         let mut trainer = Trainer {
+            entries: model.lexicon.len(),
             model,
             config,
             kept: Kept::new(items.len()),
             read: None,
             coarse: CoarseCharts::default(),
+            asked: Asked::new(items.len()),
             items,
             n_examples: examples.len(),
             validator,
@@ -104,11 +106,9 @@ impl Trainer {
             phase: Phase::Explain,
             so_far: Epoch::default(),
             last: None,
-            entries: 0,
             born: Vec::new(),
             idioms: None,
         };
-        trainer.entries = trainer.model.lexicon.len();
         trainer.begin_epoch();
         trainer
     }
@@ -149,13 +149,14 @@ impl Trainer {
         let entries = trainer.model.lexicon.len();
         trainer.so_far = Epoch { valid, updates, entries, over_budget };
         trainer.born = born(theirs.get(BORN), trainer.items.len(), entries);
+        trainer.asked = Asked::read(theirs.get(ASKED), trainer.items.len(), entries);
         if let [Some(numbers), Some(meant), Some(found)] = SEARCH.map(|fact| theirs.get(fact)) {
             let (n_items, place) = (trainer.items.len(), [numbers, meant, found]);
             let begun = trainer.begin_idioms();
             let terms = &mut trainer.model.grammar.terms;
             trainer.idioms = begun.resumed(place.map(String::as_str), n_items, terms);
         }
-        let place = PLACE.iter().chain([&BORN]).chain(&SEARCH);
+        let place = PLACE.iter().chain([&BORN, &ASKED]).chain(&SEARCH);
         place.for_each(|&fact| drop(trainer.model.facts.shift_remove(fact)));
         Ok(trainer)
     }
@@ -186,6 +187,7 @@ impl Trainer {
             let born: Vec<String> = self.born.iter().map(u32::to_string).collect();
             model.facts.insert(BORN.to_owned(), born.join(" "));
         }
+        model.facts.extend(self.asked.print().map(|asked| (ASKED.to_owned(), asked)));
         model.print()
     }
 
@@ -318,12 +320,16 @@ impl Trainer {
         };
         let (readings, over_budget) = known.unwrap_or_else(|| self.read(at));
         let judged = self.judge(at, &readings);
+        let Trainer { model: Model { lexicon, .. }, asked, items, .. } = self;
         if self.epoch <= self.config.generations
-            && let Some(next) = self.phase.next(&judged)
+            && (self.phase != Phase::Explain || !asked.is_known(at, &items[at].words, lexicon))
         {
-            self.phase = next;
-            self.read = Some((readings, over_budget));
-            return None;
+            if let Some(next) = self.phase.next(&judged) {
+                self.phase = next;
+                self.read = Some((readings, over_budget));
+                return None;
+            }
+            asked.note(at, lexicon);
         }
         self.phase = Phase::Explain;
         self.coarse.forget();
@@ -381,13 +387,7 @@ impl Trainer {
         if !self.is_trained() {
             self.so_far = Epoch::default();
         }
-        self.order = (0..self.items.len() as u32).collect();
-        let seed = u64::from(self.config.seed) << 32 | u64::from(self.epoch);
-        let mut random = Pcg32::seed_from_u64(seed);
-        for last in (1..self.order.len() as u32).rev() {
-            let other = random.random_range(0..=last);
-            self.order.swap(last as usize, other as usize);
-        }
+        self.order = order(self.items.len(), self.config.seed, self.epoch);
     }
 
     /// What pairs of states alone show tells of no task over time.

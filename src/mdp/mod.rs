@@ -13,7 +13,7 @@ pub mod check;
 
 pub use check::{Fault, check, check_draws};
 pub use leap::{Leap, Leaps, power};
-pub use problem::{Mdp, each_action};
+pub use problem::{Mdp, Sharpened, each_action};
 pub use rollout::{RolloutReport, RolloutSettings, Rollouts, wilson};
 pub use simulate::{sample, simulate};
 pub use solver::{Budget, DISCOUNT, Outcome, Policy, Progress, Settings, Solver};

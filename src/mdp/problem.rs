@@ -55,10 +55,9 @@ pub trait Mdp {
         let _ = state;
         Vec::new()
     }
-    /// Does a bounded part more of what makes the heuristic sharper; whether nothing more can be done. What it says
-    /// changes only when it is done.
-    fn sharpen(&self) -> bool {
-        true
+    /// Does a bounded part more of what makes the heuristic sharper, and says whether it is. Else it says what it said.
+    fn sharpen(&self) -> Sharpened {
+        Sharpened::Whole
     }
     /// Appends ways on from a state that is not terminal such that some best policy takes no others: each action alone,
     /// unless the problem knows longer ones. A terminal state is on the way of none.
@@ -70,6 +69,17 @@ pub trait Mdp {
         let _ = from;
         out.extend(self.actions().get(usize::from(number)));
     }
+}
+
+/// What came of making a heuristic sharper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sharpened {
+    /// Nothing yet.
+    Not,
+    /// It is sharper than before.
+    More,
+    /// Nothing more can be done.
+    Whole,
 }
 
 /// The leaps of a problem that knows none but its actions, numbered as those.
@@ -122,7 +132,7 @@ macro_rules! is_a_problem {
             fn parts(&self, state: Self::State) -> Vec<(u32, usize)> {
                 (**self).parts(state)
             }
-            fn sharpen(&self) -> bool {
+            fn sharpen(&self) -> Sharpened {
                 (**self).sharpen()
             }
             fn leaps(&self, state: Self::State, out: &mut Leaps<Self::State>) {

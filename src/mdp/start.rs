@@ -1,7 +1,7 @@
 //! The same problem begun elsewhere: what a robot plans in when the world did not do what it expected.
 
 use super::leap::Leaps;
-use super::problem::Mdp;
+use super::problem::{Mdp, Sharpened};
 
 /// A problem that begins in another state.
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +51,7 @@ impl<P: Mdp> Mdp for StartingAt<P> {
     fn parts(&self, state: P::State) -> Vec<(u32, usize)> {
         self.problem.parts(state)
     }
-    fn sharpen(&self) -> bool {
+    fn sharpen(&self) -> Sharpened {
         self.problem.sharpen()
     }
     fn leaps(&self, state: P::State, out: &mut Leaps<P::State>) {

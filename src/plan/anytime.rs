@@ -7,13 +7,16 @@
 
 use super::astar::{AStar, Guide, Solution};
 use super::parts::Parts;
-use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
+use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Sharpened, Solver};
 
 /// What is done in turn, and how many steps it may take.
-const STAGES: [(Stage, u64); 10] = [
-    (Stage::Prove, 500),
+const STAGES: [(Stage, u64); 12] = [
+    (Stage::Prove, SHORT),
     (Stage::First, 30_000),
     (Stage::Greedy, 100_000),
+    // Small tables are soon made; before large ones the plan that is there is made shorter.
+    (Stage::Sharpen, 8_000),
+    (Stage::Parts, 3_000),
     (Stage::Sharpen, u64::MAX),
     (Stage::Prove, 150_000),
     (Stage::Parts, 100_000),
@@ -22,8 +25,8 @@ const STAGES: [(Stage, u64); 10] = [
     (Stage::Improve(1, 1), 40_000),
     (Stage::Prove, u64::MAX),
 ];
-/// So many steps are spent on plans of parts where one of the first ones will do.
-const FIRST: u64 = 3_000;
+/// So many states are looked at by A* under each new bound.
+const SHORT: u64 = 500;
 /// A plan that is no longer than the bound times this is near enough, after so many steps.
 const NEAR: (u64, u64) = (6, 5);
 const TRIED: u64 = 300_000;
@@ -32,13 +35,13 @@ const TRIED: u64 = 300_000;
 enum Stage {
     /// A* goes on.
     Prove,
-    /// Plans made of parts, until there is one, and a little longer.
+    /// Plans made of parts, until there is one.
     First,
     /// Shorter plans made of parts.
     Parts,
     /// For some plan, if there is none.
     Greedy,
-    /// The bounds are made sharper; A* begins anew if that is to be had.
+    /// The bounds are made sharper, and A* begins anew under each.
     Sharpen,
     /// For a shorter plan, the cost and the guess counted so often.
     Improve(u32, u32),
@@ -121,23 +124,18 @@ impl<P: Mdp + Clone> AnyTime<P> {
         if steps >= self.settings.budget.steps || (steps >= TRIED && self.is_near()) {
             return self.end();
         }
-        let is_first = stage == Stage::First && self.plan().is_some();
-        if steps - self.begun >= if is_first { FIRST } else { most } {
+        let is_found = stage == Stage::First && self.plan().is_some();
+        if is_found || steps - self.begun >= most {
             return self.go_on();
         }
         match (stage, &mut self.work) {
-            (Stage::Sharpen, _) => {
-                if !self.problem.sharpen() {
-                    self.spent += 1;
-                    return None;
+            (Stage::Sharpen, Work::None) if self.proof.expanded() >= SHORT => {
+                match self.problem.sharpen() {
+                    Sharpened::Not => self.spent += 1,
+                    Sharpened::More => return self.begin_anew(),
+                    Sharpened::Whole => return self.go_on(),
                 }
-                if steps > self.begun {
-                    self.least = self.least();
-                    self.spent += self.proof.expanded();
-                    let settings = within(self.settings, self.settings.budget.states);
-                    self.proof = AStar::new(self.problem.clone(), settings);
-                }
-                self.go_on()
+                None
             }
             (_, Work::Parts(parts)) => {
                 if parts.step() {
@@ -168,6 +166,17 @@ impl<P: Mdp + Clone> AnyTime<P> {
                 outcome => Some(outcome),
             },
         }
+    }
+
+    /// Begins A* anew, led by a sharper bound.
+    fn begin_anew(&mut self) -> Option<Outcome> {
+        self.least = self.least();
+        self.spent += self.proof.expanded();
+        let settings = within(self.settings, self.settings.budget.states);
+        self.proof = AStar::new(self.problem.clone(), settings);
+        let length = self.length()?;
+        self.proof.limit(length.saturating_sub(1));
+        (length <= self.least()).then_some(Outcome::Solved)
     }
 
     /// Whether the plan is as good as proved.

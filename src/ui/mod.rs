@@ -23,4 +23,5 @@ pub mod train;
 pub mod kept;
 pub mod help;
 pub mod collect;
+pub mod robot;
 pub mod app;

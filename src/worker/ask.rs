@@ -64,7 +64,7 @@ impl Asking {
         let best = parse.answer().filter(|_| answer.asks.is_empty());
         let Some(best) = best else { return Asked::Answered(answer, None) };
         let form = print(&model.grammar.terms, best.form);
-        match Planning::begin(&form, &self.state, &self.rules) {
+        match Planning::begin(&form, &self.state, &self.rules, true) {
             Ok(Begun::Work(planning)) => {
                 self.stage = Stage::Plan(answer, planning);
                 Asked::Working(None)

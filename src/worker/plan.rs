@@ -23,6 +23,8 @@ const REPORT: u32 = 16;
 const BUDGET: (u64, usize) = (20_000_000, 1_500_000);
 /// The same where nothing is left to chance, and a plan is there at once: about a second.
 const SURE: u64 = 250_000;
+/// So much is spent on a plan that is to be walked soon, if there is one by then: a tenth of that.
+const SOON: u64 = 25_000;
 /// A run that takes more actions is given up.
 const MOST_ACTIONS: usize = 2_000;
 /// A robot that has thought again so often is lost.
@@ -71,6 +73,7 @@ pub(super) struct Planning {
     /// The solver of the beginning; its policy is what is kept.
     first: Auto<Problem>,
     outcome: Option<Outcome>,
+    is_hasty: bool,
     run: Run,
     steps: u32,
 }
@@ -106,8 +109,14 @@ pub(super) struct Planned {
 }
 
 impl Planning {
-    /// Begins to plan for a goal of states or a task over time, which is said in `state`.
-    pub(super) fn begin(form: &str, state: &State, rules: &WorldRules) -> Result<Begun, PlanError> {
+    /// Begins to plan for a goal of states or a task over time, which is said in `state`; in haste, if the first plan
+    /// will do where nothing is left to chance.
+    pub(super) fn begin(
+        form: &str,
+        state: &State,
+        rules: &WorldRules,
+        is_hasty: bool,
+    ) -> Result<Begun, PlanError> {
         let mut terms = Terms::new();
         let term = read(&mut terms, form)?;
         let done = |reason, instead| Ok(Begun::Done(Box::new(no_plan(state, reason, instead))));
@@ -118,7 +127,12 @@ impl Planning {
                 let is_lost = !goal.failures().is_empty();
                 return done(if is_lost { "no_referent" } else { "unreachable" }, None);
             }
-            return Ok(Self::work(Undertaking::Goal(Box::new(task)), None, state, rules));
+            return Ok(Self::work(
+                Undertaking::Goal(Box::new(task)),
+                (None, is_hasty),
+                state,
+                rules,
+            ));
         }
         let mut timed = Timed::new(terms, term, state)?;
         if timed.course.guards().iter().any(Goal::denies_nothing) {
@@ -132,10 +146,15 @@ impl Planning {
                 false => done("already_broken", timed.once_out(state, 0)),
             };
         }
-        Ok(Self::work(task, Some(timed), state, rules))
+        Ok(Self::work(task, (Some(timed), is_hasty), state, rules))
     }
 
-    fn work(task: Undertaking, timed: Option<Timed>, state: &State, rules: &WorldRules) -> Begun {
+    fn work(
+        task: Undertaking,
+        (timed, is_hasty): (Option<Timed>, bool),
+        state: &State,
+        rules: &WorldRules,
+    ) -> Begun {
         let task = Rc::new(task);
         let at = task.world().initial();
         let run = Run {
@@ -150,7 +169,8 @@ impl Planning {
         };
         let first = solver(&task, task.initial());
         let (done, outcome, instead) = (Vec::new(), None, None);
-        let planning = Planning { task, timed, done, instead, first, outcome, run, steps: 0 };
+        let planning =
+            Planning { task, timed, done, instead, first, outcome, is_hasty, run, steps: 0 };
         Begun::Work(Box::new(planning))
     }
 
@@ -159,6 +179,11 @@ impl Planning {
         self.steps = self.steps.wrapping_add(1);
         if self.outcome.is_none() {
             self.outcome = self.first.step(STEPS);
+            let progress = || self.first.progress();
+            if self.is_hasty && self.task.is_deterministic() && progress().steps >= SOON {
+                // A plan that is known is worth something.
+                self.outcome = self.outcome.or((progress().lower > 0.0).then_some(Outcome::Budget));
+            }
             if self.outcome == Some(Outcome::Unreachable) && self.task.is_over() {
                 self.outcome = Some(Outcome::Budget);
             }

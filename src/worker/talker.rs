@@ -136,7 +136,7 @@ fn ask(mut asking: Asking) -> Job<Talker> {
 }
 
 fn plan(form: &str, state: &State, rules: &WorldRules) -> Result<Job<Talker>, String> {
-    let begun = Planning::begin(form, state, rules).map_err(|error| error.to_string())?;
+    let begun = Planning::begin(form, state, rules, false).map_err(|error| error.to_string())?;
     let mut planning = match begun {
         Begun::Work(planning) => Some(planning),
         Begun::Done(plan) => {

@@ -29,6 +29,7 @@ use groundling::worker::protocol::{
 };
 use groundling::worker::{Engine, Learner, Talker};
 use std::hint::black_box;
+use std::sync::Arc;
 
 /// Three rooms on 9 × 9 cells with three objects.
 const NINE: &str = include_str!("worlds/nine.json");
@@ -129,7 +130,7 @@ fn watched() -> Options {
 fn learner() -> Engine<Learner> {
     let mut engine = Engine::new();
     let name = "six.csv".to_owned();
-    let file = CorpusFile { name, bytes: SIX.into() };
+    let file = CorpusFile { name, bytes: Arc::new(SIX.into()) };
     let files = vec![MappedFile { file, mapping: Mapping::default() }];
     pump(&mut engine, Request::OpenSheet { files, with_rejected: false });
     engine

@@ -20,7 +20,7 @@ function studyLink() {
 }
 
 /** What is looked at, each with its address. */
-const VIEWS = { 'the first view': '', 'the workbench': '#train', 'the page that asks': studyLink() };
+const VIEWS = { 'the first view': '', 'the workbench': '#train', 'the page that asks': studyLink(), 'the page that drives a robot': 'robot.html' };
 const DEVICES = {
   phone: {},
   desk: {

@@ -8,12 +8,15 @@ import zlib from 'node:zlib';
 
 const KB = 1000;
 const LIMITS = [
-  { what: 'first view', most: 400 * KB, counts: (kind) => kind === 'first' },
+  { what: 'first view', most: 400 * KB, counts: (kind) => kind === 'first' || kind === 'base' },
   { what: 'models', most: 150 * KB, counts: (kind) => kind === 'model' },
-  // Aim: 1,800. The workbench and what it asks of the learner came on top of it, what it keeps, and studies.
-  { what: 'everything the app can load', most: 2340 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
+  // Aim: 1,800. The workbench and what it asks of the learner came on top of it, what it keeps, studies, and driving a
+  // robot (200).
+  { what: 'everything the app can load', most: 2540 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
   // A page of its own, for people who take part in a study: it loads these and nothing else.
-  { what: 'first view of collect.html', most: 200 * KB, counts: (kind) => kind === 'collect' },
+  { what: 'first view of collect.html', most: 200 * KB, counts: (kind) => kind === 'collect' || kind === 'base' },
+  // Another of its own; the engine that talks comes when it is wanted.
+  { what: 'first view of robot.html', most: 250 * KB, counts: (kind, name) => kind === 'robot' || kind === 'base' || name === 'boot.js' },
 ];
 
 /** When a file of the site is loaded. */
@@ -23,6 +26,8 @@ function kindOf(name) {
   if (/learner/.test(name)) return 'learner';
   if (/keeper/.test(name)) return 'keeper';
   if (/workbench/.test(name)) return 'workbench';
+  if (/^robot/.test(name)) return 'robot';
+  if (name === 'base.css') return 'base';
   if (/^collect|^boot\.js$/.test(name)) return 'collect';
   if (/\.(model|groundling)$|(^|\/)model/.test(name)) return 'model';
   if (/\.(csv|jsonl)$|(^|\/)(worlds|corpus)\//.test(name)) return 'data';
@@ -46,13 +51,13 @@ for (const { name, kind, raw, brotli } of files) {
 }
 let failed = 0;
 for (const { what, most, counts } of LIMITS) {
-  const sum = files.filter((file) => counts(file.kind)).reduce((all, file) => all + file.brotli, 0);
+  const sum = files.filter((file) => counts(file.kind, file.name)).reduce((all, file) => all + file.brotli, 0);
   if (sum > most) failed += 1;
   console.log(`${kb(sum)} of ${kb(most)} brotli  ${what}${sum > most ? ': TOO MUCH' : ''}`);
 }
 // A site without an app is small and wrong.
 const PARTS = [
-  /app.*\.wasm$/, /learner.*\.wasm$/, /renderer.*\.wasm$/, /keeper.*\.wasm$/, /workbench.*\.wasm$/, /collect.*\.wasm$/, /\.model$/,
+  /app.*\.wasm$/, /learner.*\.wasm$/, /renderer.*\.wasm$/, /keeper.*\.wasm$/, /workbench.*\.wasm$/, /collect.*\.wasm$/, /robot.*\.wasm$/, /\.model$/,
 ];
 for (const part of PARTS) {
   if (!names.some((name) => part.test(name))) {

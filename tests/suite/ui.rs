@@ -12,6 +12,8 @@ mod kept;
 mod messages;
 #[path = "ui/questions.rs"]
 mod questions;
+#[path = "ui/robot.rs"]
+mod robot;
 #[path = "ui/room.rs"]
 mod room;
 #[path = "ui/share.rs"]

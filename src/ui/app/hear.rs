@@ -15,7 +15,9 @@ pub(super) fn heard(state: &mut State, program: Program, envelope: Envelope<Even
 /// There is news of an engine, or none.
 pub(super) fn told(state: &mut State, news: Option<News>) {
     match news {
-        Some(News::Progress(event)) => talk::hear::progressed(&mut state.talk, event),
+        Some(News::Progress(event)) => {
+            talk::hear::progressed(&mut state.talk, &state.shared, event)
+        }
         Some(News::Answer(request, event)) => answered(state, request, event),
         Some(News::Stopped) | None => {}
     }

@@ -6,15 +6,17 @@ use super::share::exchange;
 use super::state::State;
 use super::teach::learn;
 use super::watch::state::Values;
-use super::watch::values;
+use super::watch::{ahead, values};
 use super::words::Text;
 use crate::ui::page::shared::Shared;
 use crate::worker::protocol::{Event, Request};
 use std::rc::Rc;
 
 /// How far something is.
-pub fn progressed(state: &mut State, event: Event) {
+pub fn progressed(state: &mut State, shared: &Shared, event: Event) {
+    let is_ahead = shared.talker.is_at(|request| ahead::is_for(shared, request));
     match event {
+        Event::Planning(_) if is_ahead => {}
         Event::Planning(progress) => state.watch.report(progress),
         Event::RollingOut(runs) => state.watch.runs = Some(runs),
         _ => {}
@@ -23,6 +25,12 @@ pub fn progressed(state: &mut State, event: Event) {
 
 /// A request has been answered.
 pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event: Event) {
+    if ahead::is_for(shared, &request) {
+        if let Event::Planned(way) = event {
+            ahead::came(state, shared, &way);
+        }
+        return;
+    }
     match (event, request) {
         (Event::Answer(answer), Request::Read { .. })
             if wonder::was_read(state, shared, &answer) => {}

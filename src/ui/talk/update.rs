@@ -13,7 +13,7 @@ use super::share::exchange;
 use super::share::state::Sharing;
 use super::state::State;
 use super::teach::learn;
-use super::watch::{play, values};
+use super::watch::{ahead, play, values};
 use super::why::mend;
 use super::words::Text;
 use crate::ui::page::effect::Effect;
@@ -40,6 +40,20 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
     if matches!(action, Action::Ask | Action::AskExample(_)) {
         // What a person says is not said over again by a session that was opened before and waited for its words.
         (state.resume.command, state.resume.form) = (None, None);
+    }
+    if !matches!(
+        action,
+        Action::Touched
+            | Action::TogglePlay
+            | Action::Seek(_)
+            | Action::SetSpeed(_)
+            | Action::ToggleLayer(_)
+            | Action::Link(_)
+            | Action::Preview(_)
+            | Action::Point(_)
+            | Action::Copy(_)
+    ) {
+        ahead::end(shared);
     }
     match action {
         Action::Demo => run::want(state, shared),

@@ -108,6 +108,16 @@ pub struct Instead {
     pub reading: Reading,
 }
 
+impl PlanText {
+    /// How many percent longer than the shortest it may be, if it is not proved.
+    pub fn over(&self) -> Option<usize> {
+        let least = self.work.as_ref().map_or(0, |work| work.least as usize);
+        let is_open = self.sure && self.reached && self.reason.is_some() && least > 0;
+        let over = self.actions.len().saturating_sub(least);
+        is_open.then(|| (100 * over).div_ceil(least))
+    }
+}
+
 /// How far a planner is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlanProgress {

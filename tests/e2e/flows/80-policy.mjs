@@ -81,6 +81,29 @@ flow('no program of the page reaches another origin or runs a text as code', asy
   }
 });
 
+flow('the page that drives a robot alone may open sockets, and opens none but to the address that was typed', async (t) => {
+  t.expect(/content policy|Content Security Policy|another host is asked|ERR_BLOCKED_BY_CSP|request failed|WebSocket/i);
+  const read = (name) => readFile(path.join(root, 'www', name), 'utf8');
+  const policies = await Promise.all(['robot.html', 'index.html', 'collect.html'].map(async (name) =>
+    /Content-Security-Policy" content="([^"]+)"/.exec(await read(name))[1]));
+  await t.check((await read('guide/robot.md')).includes(`\n${policies[0]}\n`), 'the guide gives the same policy');
+  await t.equal(policies.map((policy) => /\bwss?:/.test(policy)), [true, false, false], 'who may open sockets');
+  const other = await stranger();
+  try {
+    const page = await t.open(`${t.address}robot.html`);
+    await page.getByTestId('link').click();
+    await page.getByTestId('command').fill('go to the blue room');
+    await t.until('the engine has come', () => page.getByTestId('ask').isEnabled(), 60);
+    await t.equal(other.seen.visits, 0, 'visits of another origin');
+    const comes = () => page.evaluate(attempts, [other.address, new URL('words.txt', t.address).href]);
+    // What answers is no socket, but is asked.
+    await t.equal(comes, HELD, 'what comes of leaving the site');
+    await t.check(() => other.seen.visits > 0, 'a socket is asked for');
+  } finally {
+    await other.close();
+  }
+});
+
 flow('the service worker asks for nothing but the files of its site', { serviceWorkers: 'allow' }, async (t) => {
   const asked = [];
   t.context.on('request', (request) => {

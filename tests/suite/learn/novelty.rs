@@ -31,7 +31,8 @@ fn what_the_seed_says_of_words_stands() {
     }
     for (span, wanted) in [
         ("xyzzy", Novelty::Any),
-        ("please", Novelty::Any),
+        ("please", Novelty::Relation),
+        ("side please", Novelty::Relation),
         ("please xyzzy", Novelty::Any),
         ("the", Novelty::Silence),
         ("move", Novelty::Silence),
@@ -69,6 +70,10 @@ fn a_noun_stretches_within_its_sort() {
     assert!(!Novelty::Silence.admits_syntax(&model, n) && !Novelty::Silence.admits(&model, &[]));
     assert!(Novelty::Any.admits_silence() && Novelty::Silence.admits_silence());
     assert!(!chair.admits_silence() && !Novelty::None.admits_silence());
+    let of = model.grammar.syntaxes.read("PP/NP").unwrap();
+    let relation = Novelty::Relation;
+    assert!(relation.admits_syntax(&model, of) && !relation.admits_syntax(&model, n));
+    assert!(relation.admits(&model, &[]) && relation.admits_silence());
 }
 
 fn generated(model: &mut Model, command: &str, scope: Scope) -> Generated {

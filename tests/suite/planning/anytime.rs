@@ -4,7 +4,7 @@
 use super::{goal, planned, step, world};
 use groundling::domain::{Action, Packed, Plan, Rules, State, generate};
 use groundling::ground::{Goal, Task};
-use groundling::mdp::{self, Leaps, Mdp, Outcome, Settings, Solver};
+use groundling::mdp::{self, Leaps, Mdp, Outcome, Settings, Sharpened, Solver};
 use groundling::plan::AnyTime;
 
 /// The first objects of a world, each to be in another room.
@@ -24,7 +24,7 @@ pub(crate) fn bring(state: &State, n: usize) -> Goal {
 /// A task whose bounds are as sharp as they get.
 fn sharp(goal: &Goal, state: &State, rules: Rules) -> Task {
     let task = Task::new(goal, state, rules).unwrap();
-    while !task.sharpen() {}
+    while task.sharpen() != Sharpened::Whole {}
     task
 }
 

@@ -1,7 +1,7 @@
 //! Talking: reading while typing, answering, playing, other readings, rules.
 
-use super::{Page, failed, model, no_plan, plan, reading, understood, world};
-use groundling::domain::Lock;
+use super::{Page, failed, model, no_plan, plan, reading, understood, work, world};
+use groundling::domain::{Lock, State as World};
 use groundling::ui::app::Action;
 use groundling::ui::page::effect::{Effect, Timer};
 use groundling::ui::page::preferences::Depth;
@@ -10,7 +10,9 @@ use groundling::ui::talk::command::ask::is_asking;
 use groundling::ui::talk::watch::playback::Surprise;
 use groundling::ui::talk::watch::state::{Layer, Speed};
 use groundling::ui::talk::watch::values::RUNS;
-use groundling::worker::protocol::{Event, PlanText, Program, Request, Runs, ValueMap, WorldRules};
+use groundling::worker::protocol::{
+    Event, PlanProgress, PlanText, Program, Request, Runs, ValueMap, WorldRules,
+};
 
 #[test]
 fn what_is_typed_is_read_at_once_and_only_the_latest_counts() {
@@ -106,6 +108,47 @@ fn a_plan_can_be_paused_stepped_scrubbed_and_hurried() {
     page.act(talk::Action::ResetWorld);
     assert!(page.state.talk.watch.playback.is_none());
     assert_eq!(page.shown(), &start);
+}
+
+#[test]
+fn a_plan_that_may_be_too_long_is_walked_while_a_shorter_way_on_is_looked_for() {
+    let start = world();
+    let open = |from: &World, steps: i32| PlanText {
+        reason: Some("budget".to_owned()),
+        work: Some(PlanProgress { least: 15, ..work() }),
+        ..plan(from, steps)
+    };
+    let mut page = Page::ready();
+    page.act(talk::Action::AskExample("go".to_owned()));
+    page.answer(Event::Answer(Box::new(understood("go", Some(open(&start, 30))))));
+    let ahead = |page: &mut Page| {
+        assert!(page.play_on());
+        let Request::Plan { state, .. } = page.asked() else { panic!() };
+        assert!(!is_asking(&page.state.shared), "nobody waits for it");
+        state.clone()
+    };
+    let from = ahead(&mut page);
+    assert_eq!(from.agent.x, start.agent.x + 11, "so much is walked meanwhile");
+    // What is no shorter changes nothing; the next time it begins further on.
+    page.answer(Event::Planned(Box::new(open(&from, 19))));
+    let from = ahead(&mut page);
+    assert_eq!(from.agent.x, start.agent.x + 12);
+    page.answer(Event::Planned(Box::new(plan(&from, 5))));
+    let document = &page.state.shared.document;
+    assert_eq!(document.plan().map(|plan| plan.actions.len()), Some(17));
+    assert_eq!(document.world.agent.x, start.agent.x + 17);
+    assert_eq!(document.plan().and_then(|plan| plan.over()), Some(14));
+    while page.play_on() {}
+    assert!(page.posted.is_empty(), "what is proved is not looked for again");
+    assert!(page.state.shared.announcement.starts_with("Done in 17 steps."));
+
+    // Whoever does something else does not wait for it.
+    page.act(talk::Action::AskExample("go".to_owned()));
+    let start = page.shown().clone();
+    page.answer(Event::Answer(Box::new(understood("go", Some(open(&start, 30))))));
+    ahead(&mut page);
+    page.act(talk::Action::Typed("stop".to_owned()));
+    assert!(matches!(page.posted.last(), Some((_, _, Request::Cancel))));
 }
 
 #[test]

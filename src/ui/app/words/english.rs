@@ -9,6 +9,7 @@ pub(super) static ENGLISH: Text = Text {
         ("How it works", "guide/learning.md"),
         ("The paper", "https://doi.org/10.1109/ICRA.2018.8460937"),
         ("The guide", "guide/page.md"),
+        ("Drive a robot", "robot.html"),
     ],
     source: "The source",
     views: "Views",

@@ -9,6 +9,7 @@ pub(super) static GERMAN: Text = Text {
         ("Wie das geht", "guide/learning.md"),
         ("Der Aufsatz", "https://doi.org/10.1109/ICRA.2018.8460937"),
         ("Die Anleitung", "guide/page.md"),
+        ("Einen Roboter fahren", "robot.html"),
     ],
     source: "Der Quelltext",
     views: "Ansichten",

@@ -6,7 +6,7 @@ use crate::ui::page::preferences::Depth;
 #[expect(missing_docs, reason = "the English table says what each is")]
 pub struct Text {
     pub pitch: &'static str,
-    pub links: [(&'static str, &'static str); 3],
+    pub links: [(&'static str, &'static str); 4],
     pub source: &'static str,
     pub views: &'static str,
     pub talk: &'static str,

@@ -10,8 +10,7 @@ use crate::ui::talk::state::State;
 use crate::ui::talk::watch::state::Layer;
 use crate::ui::talk::watch::values::RUNS;
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::{PlanText, Request, Runs};
-use std::rc::Rc;
+use crate::worker::protocol::{Request, Runs};
 use yew::{Callback, Html, html};
 
 /// The planner's card.
@@ -44,7 +43,7 @@ pub(super) fn planner(state: &State, shared: &Shared, act: &Callback<Action>) ->
                         <div><dt>{ text.took }</dt><dd data-testid="took">{ (text.milliseconds)(seconds) }</dd></div>
                     }
                     <div><dt>{ text.worth }</dt><dd>{ proved(work.bounds) }</dd></div>
-                    if let Some(percent) = shared.document.plan().map(Rc::as_ref).and_then(over) {
+                    if let Some(percent) = shared.document.plan().and_then(|plan| plan.over()) {
                         <div><dt>{ text.length }</dt><dd data-testid="near">{ (text.near_shortest)(percent) }</dd></div>
                     }
                     if let Some(plan) = shared.document.plan() { if plan.replans > 0 {
@@ -64,14 +63,6 @@ pub(super) fn planner(state: &State, shared: &Shared, act: &Callback<Action>) ->
             if let Some(runs) = watch.runs { { outcome(text, &runs) } }
         </section>
     }
-}
-
-/// How many percent longer than the shortest a plan may be that is not proved.
-fn over(plan: &PlanText) -> Option<usize> {
-    let least = plan.work.as_ref().map_or(0, |work| work.least as usize);
-    let is_open = plan.sure && plan.reached && plan.reason.is_some() && least > 0;
-    let over = plan.actions.len().saturating_sub(least);
-    is_open.then(|| (100 * over).div_ceil(least))
 }
 
 fn proved([low, high]: [f64; 2]) -> String {

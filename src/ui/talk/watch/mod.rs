@@ -6,3 +6,4 @@ pub mod chart;
 pub mod state;
 pub mod values;
 pub mod play;
+pub mod ahead;

@@ -1,5 +1,6 @@
 //! A plan on its way: step by step by itself, or to where a person wants it.
 
+use super::ahead;
 use super::playback::Playback;
 use super::state::Speed;
 use super::values::look;
@@ -21,6 +22,7 @@ pub(crate) fn rang(state: &mut State, shared: &mut Shared, play: u32) {
     let (playing, ended, steps) = (playback.playing(), playback.ended(), playback.steps());
     if playing {
         shared.want(state.watch.tick());
+        ahead::look(state, shared);
     } else if ended {
         let robot = text.phrases.robot(state.shown(shared));
         shared.say(format!("{} {robot}", (text.done_in)(steps)));

@@ -43,6 +43,11 @@ impl Playback {
         self.states.get(self.at)
     }
 
+    /// The state after so many actions; `None` when there are fewer.
+    pub fn state(&self, at: usize) -> Option<&State> {
+        self.states.get(at)
+    }
+
     /// The state that the plan begins in.
     pub fn first(&self) -> Option<&State> {
         self.states.first()
@@ -109,6 +114,14 @@ impl Playback {
     pub fn seek(&mut self, step: usize) {
         self.at = step.min(self.actions.len());
         self.playing = false;
+    }
+
+    /// Goes on by a plan that is the same as far as it was played.
+    pub fn go_on_by(&mut self, plan: &PlanText) {
+        let Playback { at, playing, .. } = *self;
+        if let Some(other) = Playback::begin(plan).filter(|other| at <= other.steps()) {
+            *self = Playback { at, playing, ..other };
+        }
     }
 
     /// Plays from here, from the start when it has ended.

@@ -83,6 +83,8 @@ pub struct Watch {
     pub runs: Option<Runs>,
     /// Whether the engine keeps the policy of the reading that is chosen.
     pub has_policy: bool,
+    /// Whether no shorter way on is to be had.
+    pub(super) is_best: bool,
     begun: f64,
     play: u32,
 }
@@ -110,6 +112,7 @@ impl Watch {
             seconds: None,
             runs: None,
             has_policy: false,
+            is_best: false,
             begun: 0.0,
             play: 0,
         }

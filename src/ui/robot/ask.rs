@@ -1,0 +1,101 @@
+//! Commands: they are read and planned for by the engine that talks, in the world as it is seen, and thought of again when
+//! that is not where it was expected.
+
+use super::drive::event;
+use super::effect::Effect;
+use super::place;
+use super::state::{Said, State};
+use super::think::{RULES, send, wake};
+use crate::domain::State as World;
+use crate::robot::Event as Drive;
+use crate::ui::page::engines::News;
+use crate::worker::protocol::{Event, PlanText, Request};
+
+/// Characters that a command may have.
+const MOST: usize = 400;
+
+/// The world that a command is said in.
+fn world(state: &State) -> World {
+    match state.pilot.driver.look() {
+        Some(Ok(seen)) => seen,
+        _ => state.pilot.driver.world.clone(),
+    }
+}
+
+/// The command is this now.
+pub(super) fn typed(state: &mut State, command: &str) {
+    wake(state);
+    state.command = command.chars().take(MOST).collect();
+}
+
+/// The command is to be done.
+pub(super) fn ask(state: &mut State) {
+    if state.command.trim().is_empty() || state.model != Some(Ok(())) {
+        return;
+    }
+    (state.said, state.rehearsal) = (None, None);
+    event(state, Drive::Route(Vec::new()));
+    let (command, world) = (state.command.clone(), world(state));
+    send(state, Request::Ask { command, state: world, rules: RULES });
+}
+
+/// The command was meant in this way.
+pub(super) fn choose(state: &mut State, place: usize) {
+    let Some(said) = &mut state.said else { return };
+    let Some(reading) = said.answer.readings.get(place) else { return };
+    let form = reading.form.clone();
+    (said.chosen, said.plan, state.rehearsal) = (Some(place), None, None);
+    let world = world(state);
+    send(state, Request::Plan { form, state: world, rules: RULES });
+}
+
+/// The engine has news.
+pub(super) fn hear(state: &mut State, news: News) {
+    match news {
+        News::Answer(Request::OpenModel { .. }, said) => {
+            state.model = Some(match said {
+                Event::Opened(_) => Ok(()),
+                Event::Refused { message } => Err(message),
+                other => Err(format!("{other:?}")),
+            });
+            state.wanted.push(Effect::FetchWords);
+        }
+        News::Answer(Request::Ask { .. }, Event::Answer(answer)) => {
+            let plan = answer.plan.clone().map(Box::new);
+            let chosen = plan.is_some().then_some(0);
+            state.said = Some(Said { answer, chosen, plan });
+            follow(state);
+        }
+        News::Answer(Request::Plan { .. }, Event::Planned(plan)) => {
+            if state.pilot.driver.is_thinking() {
+                let states = usable(&plan).then(|| plan.states.clone());
+                event(state, Drive::Again(states));
+            } else if let Some(said) = &mut state.said {
+                said.plan = Some(plan);
+                follow(state);
+            }
+        }
+        News::Answer(Request::ReadWorld { .. }, Event::World(world)) => {
+            place::open(state, world, None);
+        }
+        News::Answer(Request::ReadWorld { .. }, Event::Refused { message }) => {
+            state.undrawn = Some(message);
+        }
+        News::Stopped if state.pilot.driver.is_thinking() => event(state, Drive::Again(None)),
+        News::Answer(Request::Plan { .. }, _) if state.pilot.driver.is_thinking() => {
+            event(state, Drive::Again(None));
+        }
+        News::Answer(..) | News::Progress(_) | News::Stopped => {}
+    }
+}
+
+fn usable(plan: &PlanText) -> bool {
+    plan.reached && !plan.states.is_empty()
+}
+
+/// The plan, if there is one, is what the robot follows once it may.
+fn follow(state: &mut State) {
+    if let Some(states) = state.plan().map(|plan| plan.states.clone()) {
+        event(state, Drive::Route(states));
+    }
+}

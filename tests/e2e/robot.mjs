@@ -1,0 +1,130 @@
+// The page that drives a robot as a person uses it, and the rosbridge of the tests' own that it is linked to
+// (tests/peer, built by `cargo build --example peer`).
+
+import { spawn } from 'node:child_process';
+import path from 'node:path';
+import { createInterface } from 'node:readline';
+import { root } from './packages.mjs';
+
+/** Starts a peer; what comes in it keeps as `frames`, and `tell` has it do something. */
+export async function startPeer() {
+  const binary = path.join(process.env.CARGO_TARGET_DIR ?? path.join(root, 'target'), 'debug/examples/peer');
+  const child = spawn(binary, [], { stdio: ['pipe', 'pipe', 'inherit'] });
+  const peer = { frames: [], address: null };
+  const reports = [];
+  const ready = new Promise((resolve, reject) => {
+    child.once('error', reject);
+    child.once('exit', () => reject(new Error('the peer has ended')));
+    createInterface({ input: child.stdout }).on('line', (line) => {
+      const said = JSON.parse(line);
+      if (said.listening) {
+        peer.address = said.listening;
+        resolve();
+      } else if (said.report) reports.shift()?.(said.report);
+      else peer.frames.push({ ...said, at: performance.now() });
+    });
+  });
+  ready.catch(() => {});
+  await ready;
+  peer.tell = (line) => child.stdin.write(`${line}\n`);
+  peer.report = () => new Promise((resolve) => {
+    reports.push(resolve);
+    peer.tell('report');
+  });
+  /** The velocities that came in since the frame of this place: ahead and turning. */
+  peer.velocities = (from = 0) => peer.frames.slice(from).map(({ frame }) => frame)
+    .filter(({ op, topic }) => op === 'publish' && topic === '/cmd_vel')
+    .map(({ msg }) => [(msg.twist ?? msg).linear.x, (msg.twist ?? msg).angular.z]);
+  peer.end = () => {
+    child.removeAllListeners('exit');
+    child.kill();
+  };
+  return peer;
+}
+
+/** Opens the page, and waits until it is there. */
+export async function openRobot(t, { german = false } = {}) {
+  const page = await t.open(`${t.address}robot.html`);
+  const robot = new Robot(t, page);
+  await robot.by('stage').waitFor();
+  const other = await page.evaluate(() => document.documentElement.lang) === 'de';
+  if (german !== other) await robot.press('language');
+  return robot;
+}
+
+/** The open page. */
+export class Robot {
+  constructor(t, page) {
+    this.t = t;
+    this.page = page;
+  }
+
+  by(id) {
+    return this.page.getByTestId(id);
+  }
+
+  press(id) {
+    return this.by(id).click();
+  }
+
+  /** Waits until the driver is at this stage. */
+  at(stage, seconds = 20) {
+    return this.t.until(`it is ${stage}`, async () => (await this.stage()) === stage, seconds);
+  }
+
+  stage() {
+    return this.page.locator('.drive').getAttribute('data-stage');
+  }
+
+  /** What the dry run found of a thing: good, bad or open. */
+  found(check) {
+    return this.page.locator(`[data-check="${check}"]`).getAttribute('data-found');
+  }
+
+  /** Waits until a thing was found so. */
+  finds(check, what, seconds = 20) {
+    return this.t.until(`${check} is ${what}`, async () => (await this.found(check)) === what, seconds);
+  }
+
+  /** Links to a peer, whose topics are the usual ones. */
+  async link(peer) {
+    await this.press('real');
+    await this.by('address').fill(peer.address);
+    await this.press('link');
+    await this.finds('poses', 'good');
+  }
+
+  /** Holds the space bar, wherever the keyboard was. */
+  async hold() {
+    await this.page.evaluate(() => document.activeElement?.blur());
+    await this.page.keyboard.down('Space');
+  }
+
+  letGo() {
+    return this.page.keyboard.up('Space');
+  }
+
+  /** The base is seen to stop by itself, and driving is allowed. */
+  async arm() {
+    await this.press('try');
+    await this.hold();
+    await this.finds('stops', 'good');
+    await this.letGo();
+    await this.press('arm');
+    await this.at('ready');
+  }
+
+  /** Asks for something; returns when there is a plan. */
+  async ask(command) {
+    await this.by('command').fill(command);
+    await this.t.until('it can be asked', () => this.by('ask').isEnabled(), 60);
+    await this.press('ask');
+    await this.by('plan').waitFor();
+  }
+
+  /** Where the robot is in the picture, in cells. */
+  async place() {
+    const [x, y] = await Promise.all(['x', 'y'].map((name) => this.by('picture').getAttribute(`data-${name}`)));
+    return [Number(x), Number(y)];
+  }
+}

@@ -1,0 +1,227 @@
+//! The page that drives a robot, as its reducer has it, with the engine that talks behind it and no browser: the simulated
+//! robot from the first press to the end of a command, and what a link does.
+
+use groundling::robot::Stage;
+use groundling::robot::address::{Fault, address};
+use groundling::ui::page::language::Language;
+use groundling::ui::robot::state::{Kind, Link, Topic};
+use groundling::ui::robot::talker::named;
+use groundling::ui::robot::{Action, Effect, State, reduce};
+use groundling::worker::protocol::{Envelope, Event, VERSION};
+use groundling::worker::{Engine, Talker};
+
+const MODEL: &str = include_str!("../../../assets/model/cleanup.model");
+
+/// The page, a person at it, and the engine.
+struct Page {
+    state: State,
+    talker: Engine<Talker>,
+    now: f64,
+    /// What was wanted and is none of the engine's.
+    wanted: Vec<Effect>,
+}
+
+impl Page {
+    fn open(is_secure: bool) -> Page {
+        let mut page =
+            Page { state: State::new(), talker: Engine::new(), now: 0.0, wanted: Vec::new() };
+        page.act(Action::Opened(Language::English, is_secure));
+        page
+    }
+
+    fn act(&mut self, action: Action) {
+        let mut effects = reduce(&mut self.state, action, self.now);
+        while !effects.is_empty() {
+            let said = match effects.remove(0) {
+                Effect::SpawnTalker => vec![Action::Heard(ready())],
+                Effect::FetchModel => vec![Action::Model(Ok(MODEL.to_owned()))],
+                Effect::FetchWords => vec![Action::Words(Err("no network".to_owned()))],
+                Effect::Post(Envelope { id, body, .. }) => {
+                    self.talker.start(id, body);
+                    let mut said = Vec::new();
+                    while self.talker.busy() {
+                        let heard = self.talker.step();
+                        said.extend(heard.map(|(id, body)| {
+                            Action::Heard(Envelope { groundling: VERSION, id, body })
+                        }));
+                    }
+                    said
+                }
+                other => {
+                    self.wanted.push(other);
+                    Vec::new()
+                }
+            };
+            for action in said {
+                effects.extend(reduce(&mut self.state, action, self.now));
+            }
+        }
+    }
+
+    /// Lets time go by until something is so; whether it came to that.
+    fn until(&mut self, ms: f64, is_so: impl Fn(&State) -> bool) -> bool {
+        let end = self.now + ms;
+        while self.now < end && !is_so(&self.state) {
+            self.now += 40.0;
+            self.act(Action::Tick(0));
+        }
+        is_so(&self.state)
+    }
+
+    /// The simulated robot, looked at and allowed to drive.
+    fn armed() -> Page {
+        let mut page = Page::open(false);
+        page.act(Action::Link(true));
+        assert!(page.until(3_000.0, |state| state.pilot.can_try(state.now)));
+        page.act(Action::Try);
+        page.act(Action::Held(true));
+        assert!(
+            page.until(8_000.0, |state| state.pilot.is_fit(state.now)),
+            "{:?}",
+            page.state.told
+        );
+        page.act(Action::Held(false));
+        page.act(Action::Arm(true));
+        assert_eq!(page.state.pilot.driver.stage, Stage::Ready);
+        page
+    }
+}
+
+fn ready() -> Envelope<Event> {
+    Envelope { groundling: VERSION, id: 0, body: Event::Ready }
+}
+
+#[test]
+fn a_simulated_robot_does_what_it_is_told() {
+    let mut page = Page::armed();
+    page.act(Action::Typed("go to the biggest room".to_owned()));
+    page.act(Action::Ask);
+    let plan = page.state.plan().unwrap();
+    assert!(
+        plan.actions
+            .iter()
+            .all(|action| ["forward", "turn_left", "turn_right"].contains(&&**action))
+    );
+    page.act(Action::Rehearse);
+    let rehearsal = page.state.rehearsal.clone().unwrap();
+    assert!(rehearsal.is_done && rehearsal.nearest > 0.0, "{rehearsal:?}");
+    page.act(Action::Held(true));
+    assert_eq!(page.state.pilot.driver.stage, Stage::Driving);
+    assert!(page.until(300_000.0, |state| state.pilot.driver.stage == Stage::Ready));
+    let agent = page.state.bridge.as_ref().unwrap().base.state().agent;
+    assert!(agent.x < 4, "{agent:?} is not in the blue room, the biggest");
+    assert!(
+        page.wanted.iter().all(|effect| matches!(effect, Effect::Speak(_) | Effect::Watch(..)))
+    );
+}
+
+#[test]
+fn what_stops_the_robot_is_always_one_action() {
+    for (action, is_halted) in [
+        (Action::Stop, true),
+        (Action::Hidden, true),
+        (Action::Closing, false),
+        (Action::Held(false), false),
+        (Action::Link(false), false),
+        (Action::Arm(false), false),
+    ] {
+        let mut page = Page::armed();
+        page.act(Action::Typed("go to the blue room".to_owned()));
+        page.act(Action::Ask);
+        page.act(Action::Held(true));
+        page.until(5_000.0, |state| state.bridge.as_ref().unwrap().base.twist.linear > 0.1);
+        page.act(action.clone());
+        let stage = &page.state.pilot.driver.stage;
+        assert_eq!(matches!(stage, Stage::Halted(_)), is_halted, "{action:?}");
+        assert_ne!(*stage, Stage::Driving, "{action:?}");
+        page.until(300.0, |_| false);
+        assert!(page.state.bridge.as_ref().is_none_or(|bridge| bridge.base.stands()), "{action:?}");
+    }
+}
+
+#[test]
+fn a_link_is_opened_to_what_was_typed_and_opened_again() {
+    let mut page = Page::open(false);
+    page.act(Action::Pick(Kind::Real));
+    page.act(Action::Address(" ws://robot:9090 ".to_owned()));
+    page.act(Action::Name(Topic::Velocity, "/turtle/cmd_vel".to_owned()));
+    page.wanted.clear();
+    page.act(Action::Link(true));
+    assert_eq!(page.wanted, [Effect::Open("ws://robot:9090".to_owned())]);
+    page.act(Action::Address("ws://other:9090".to_owned()));
+    assert_eq!(page.state.address, " ws://robot:9090 ", "not while it is linked");
+    page.wanted.clear();
+    page.act(Action::LinkOpened);
+    let asked = page.wanted.iter().filter(|effect| matches!(effect, Effect::Send(_)));
+    assert_eq!(asked.count(), 2, "{:?}", page.wanted);
+    assert!(format!("{:?}", page.wanted).contains("/turtle/cmd_vel"));
+    page.wanted.clear();
+    page.act(Action::LinkClosed);
+    assert_eq!(page.wanted, [Effect::Again(1, 1_000)]);
+    page.act(Action::LinkAgain(7));
+    assert_eq!(page.state.link, Link::Lost(1), "a timer of another time");
+    page.act(Action::LinkAgain(1));
+    page.act(Action::LinkClosed);
+    assert_eq!(page.wanted.last(), Some(&Effect::Again(2, 2_000)));
+    page.act(Action::Link(false));
+    assert_eq!((page.state.link, page.wanted.last()), (Link::Off, Some(&Effect::Close)));
+    page.act(Action::LinkAgain(2));
+    assert_eq!(page.state.link, Link::Off, "what was given up stays so");
+}
+
+#[test]
+fn a_secure_page_says_what_its_browser_would_not_do() {
+    for (typed, is_secure, wanted) in [
+        ("ws://192.168.0.2:9090", true, Err(Fault::Mixed)),
+        ("ws://192.168.0.2:9090", false, Ok(())),
+        ("wss://192.168.0.2:9090", true, Ok(())),
+        ("ws://localhost:9090", true, Ok(())),
+        ("WS://127.0.0.1:9090/x", true, Ok(())),
+        ("ws://[::1]:9090", true, Ok(())),
+        ("ws://localhost.example:9090", true, Err(Fault::Mixed)),
+        ("ws://user@robot:9090", true, Err(Fault::Mixed)),
+        ("http://robot:9090", false, Err(Fault::NoSocket)),
+        ("robot:9090", false, Err(Fault::NoSocket)),
+        ("ws://", false, Err(Fault::NoSocket)),
+        ("ws://a b", false, Err(Fault::NoSocket)),
+        ("", false, Err(Fault::NoSocket)),
+    ] {
+        assert_eq!(address(typed, is_secure).map(drop), wanted, "{typed}");
+    }
+    let mut page = Page::open(true);
+    page.act(Action::Pick(Kind::Real));
+    page.act(Action::Address("ws://robot:9090".to_owned()));
+    page.wanted.clear();
+    page.act(Action::Link(true));
+    assert_eq!((page.state.fault, page.state.link), (Some(Fault::Mixed), Link::Off));
+    assert!(page.wanted.is_empty(), "{:?}", page.wanted);
+}
+
+#[test]
+fn own_rooms_are_read_and_a_command_that_is_none_is_told() {
+    let mut page = Page::armed();
+    page.act(Action::Typed("dance a fandango".to_owned()));
+    page.act(Action::Ask);
+    assert!(page.state.said.as_ref().unwrap().plan.is_none());
+    page.act(Action::Drawing("nonsense".to_owned()));
+    page.act(Action::Draw);
+    assert!(page.state.undrawn.is_some());
+    let own = include_str!("../../../assets/worlds/hall.txt");
+    page.act(Action::Drawing(own.to_owned()));
+    page.act(Action::Draw);
+    assert_eq!(
+        (page.state.undrawn.clone(), page.state.preset, page.state.link),
+        (None, None, Link::Off)
+    );
+    assert_eq!(page.state.world.objects.len(), 2);
+    assert_eq!(page.state.pilot.driver.stage, Stage::Off, "nothing is driven in other rooms");
+}
+
+#[test]
+fn the_engine_that_talks_is_found_in_the_front_page() {
+    let built = r#"<link rel="modulepreload" data-app="script" href="./app-1.js"><link rel="preload" data-app="program" href="./app-1_bg.wasm" as="fetch">"#;
+    assert_eq!(named(built), Some(("./app-1.js", "./app-1_bg.wasm")));
+    let minified = "<link data-app=script href=./app-1.js rel=modulepreload><link as=fetch data-app=program href=./a.wasm>";
+    assert_eq!(named(minified), Some(("./app-1.js", "./a.wasm")));
+    assert_eq!(named("<link rel=icon href=icon.svg>"), None);
+}
