@@ -40,8 +40,11 @@ pub enum Feature {
     Head(ConstantId, u8, ConstantId),
     /// A relation's two arguments have these head nouns.
     Heads(ConstantId, ConstantId),
-    /// What is to be so first is said of something with this head noun, and what is next of one with that.
+    /// What is to be so first is said of something with this head noun, and what is next of one with that; or the places
+    /// have these.
     Then(ConstantId, ConstantId),
+    /// Of one thing a relation is said twice, to be so at once: a thing is seldom in two places.
+    Twice(ConstantId),
 }
 
 impl Feature {
@@ -64,7 +67,9 @@ impl Feature {
             Feature::Pair(..) => Kind::Pair,
             Feature::Conjoined(..) => Kind::Conjoined,
             Feature::Alone(_) => Kind::Alone,
-            Feature::Head(..) | Feature::Heads(..) | Feature::Then(..) => Kind::Head,
+            Feature::Head(..) | Feature::Heads(..) | Feature::Then(..) | Feature::Twice(_) => {
+                Kind::Head
+            }
             Feature::Skip | Feature::Dropped | Feature::Lost | Feature::Far | Feature::Measure => {
                 return None;
             }
@@ -87,7 +92,8 @@ impl Feature {
             | Feature::Measure
             | Feature::Conjoined(..)
             | Feature::Alone(_)
-            | Feature::Then(..) => 1.0,
+            | Feature::Then(..)
+            | Feature::Twice(_) => 1.0,
         }
     }
 }
@@ -338,13 +344,35 @@ impl Occurring<'_> {
                 }
                 if let &[_, reach, then] = args
                     && self.terms.ty(term) == ty::RUN
-                    && let (Some(a), Some(b)) = (self.subject(reach), self.subject(then))
                 {
-                    self.features.push(Feature::Then(a, b));
+                    let steps = [reach, then].map(|step| self.first(step));
+                    self.features.extend((0..2).filter_map(|place| {
+                        let [first, next] = steps.map(|step| step[place]);
+                        Some(Feature::Then(first?, next?))
+                    }));
+                }
+                if self.is_and(head) {
+                    self.collect_twice(args);
                 }
                 args.iter().for_each(|&arg| self.collect(arg));
             }
         }
+    }
+
+    /// What some conjuncts say of one thing that one of those before says of it, too.
+    fn collect_twice(&mut self, conjuncts: &[TermId]) {
+        let said = |&term: &TermId| match self.terms.node(term) {
+            Node::Apply { head, args: &[thing, _] } => match self.terms.node(head) {
+                Node::Constant(relation) if self.terms.ty(thing) == ty::ENTITY => {
+                    Some((relation, thing))
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        let all: Vec<(ConstantId, TermId)> = conjuncts.iter().filter_map(said).collect();
+        let twice = all.iter().enumerate().filter(|(at, one)| all[..*at].contains(one));
+        self.features.extend(twice.map(|(_, &(relation, _))| Feature::Twice(relation)));
     }
 
     /// The pairs of predicates in a conjunction, each on what the conjunction is about.
@@ -396,15 +424,20 @@ impl Occurring<'_> {
         }
     }
 
-    /// The noun of what a goal, or the first step of a task, is said of.
-    fn subject(&self, term: TermId) -> Option<ConstantId> {
-        let Node::Apply { args, .. } = self.terms.node(term) else { return None };
+    /// The nouns of what a goal, or the first step of a task, is said of, and of the place that it is to be in.
+    fn first(&self, term: TermId) -> [Option<ConstantId>; 2] {
+        let Node::Apply { args, .. } = self.terms.node(term) else { return [None; 2] };
         match *args {
-            [_, reach, _] if self.terms.ty(term) == ty::RUN => self.subject(reach),
+            [_, reach, _] if self.terms.ty(term) == ty::RUN => self.first(reach),
             // What begins to be forbidden after a step is no next step.
-            _ if self.terms.ty(term) == ty::RUN => None,
-            [first, ..] if self.terms.ty(first) == ty::ENTITY => self.head(first),
-            _ => args.iter().find_map(|&arg| self.subject(arg)),
+            _ if self.terms.ty(term) == ty::RUN => [None; 2],
+            [thing, place] if self.terms.ty(thing) == ty::ENTITY => {
+                [thing, place].map(|phrase| self.head(phrase))
+            }
+            _ => {
+                let parts = args.iter().map(|&arg| self.first(arg));
+                parts.fold([None; 2], |found, part| [0, 1].map(|at| found[at].or(part[at])))
+            }
         }
     }
 

@@ -412,6 +412,7 @@ impl Model {
                 format!("head\t{}\t{place}\t{}", self.constant(relation), self.constant(head))
             }
             Feature::Heads(a, b) => format!("heads\t{}\t{}", self.constant(a), self.constant(b)),
+            Feature::Twice(relation) => format!("twice\t{}", self.constant(relation)),
             Feature::Then(a, b) => format!("then\t{}\t{}", self.constant(a), self.constant(b)),
         }
     }
@@ -447,6 +448,7 @@ impl Model {
                 Feature::Head(self.read_constant(relation)?, place, self.read_constant(head)?)
             }
             ["heads", a, b] => Feature::Heads(self.read_constant(a)?, self.read_constant(b)?),
+            ["twice", relation] => Feature::Twice(self.read_constant(relation)?),
             ["then", a, b] => Feature::Then(self.read_constant(a)?, self.read_constant(b)?),
             _ => {
                 let begin: String = fields.concat().chars().take(20).collect();

@@ -20,6 +20,8 @@ pub struct Dynamics {
     width: u32,
     /// Which field of a packed state holds a door's lock, if it can change; otherwise whether it opens.
     doors: Vec<DoorLock>,
+    /// Bits of a state.
+    bits: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +59,19 @@ impl Dynamics {
             let (objects, cells) = (state.objects.len(), layout.len());
             return Err(PackError::TooLarge { objects, cells, bits });
         }
-        Ok(Self { layout, rules, origin: state.clone(), width, doors })
+        Ok(Self { layout, rules, origin: state.clone(), width, doors, bits })
+    }
+
+    /// That its states leave room for a mark ([`Packed::marked`]).
+    ///
+    /// # Errors
+    /// When they do not.
+    pub fn bears_mark(&self) -> Result<(), PackError> {
+        let (objects, cells, bits) = (self.n_objects(), self.layout.len(), self.bits);
+        match bits > Packed::MARKABLE {
+            true => Err(PackError::TooLarge { objects, cells, bits }),
+            false => Ok(()),
+        }
     }
 
     /// The cells of this world.

@@ -27,7 +27,32 @@ pub enum PackError {
     InWall(String),
 }
 
+/// Bits above those of a state that a mark takes.
+const MARK: u32 = 8;
+
 impl Packed {
+    /// The bits that a state may take for a mark to find room beside it.
+    pub const MARKABLE: usize = (u128::BITS - MARK) as usize;
+
+    /// The same state with a mark beside it, in the place of another: what an observer has noted down of the way there.
+    /// It is no state for the [`Dynamics`](super::Dynamics) until the mark is taken off.
+    #[must_use]
+    pub const fn marked(self, mark: u8) -> Self {
+        Self(self.unmarked().0 | (mark as u128) << Self::MARKABLE)
+    }
+
+    /// The state without its mark.
+    #[must_use]
+    pub const fn unmarked(self) -> Self {
+        Self(self.0 & (u128::MAX >> MARK))
+    }
+
+    /// The mark.
+    #[must_use]
+    pub const fn mark(self) -> u8 {
+        (self.0 >> Self::MARKABLE) as u8
+    }
+
     /// The value of the `width` bits from `shift`.
     #[inline]
     pub(super) const fn field(self, shift: u32, width: u32) -> Place {

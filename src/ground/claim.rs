@@ -5,6 +5,7 @@ use super::class::Class;
 use super::denote::meaning;
 use super::predicate::{Meaning, Measure, Property, Relation};
 use super::shade::Shade;
+use crate::logic::ty::RUN;
 use crate::logic::{Node, TermId, Terms, print_human};
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +34,12 @@ pub enum Claim {
     Is(String, Box<Noun>),
     /// There is such a thing.
     Exists(Box<Description>),
+    /// These, one after the other.
+    Then(Vec<Claim>),
+    /// This at no time.
+    Never(Box<Claim>),
+    /// The first until the second.
+    Until(Box<[Claim; 2]>),
     /// What has no plain words: as people write logic.
     Formula(String),
 }
@@ -118,6 +125,9 @@ impl Teller<'_> {
     }
 
     fn told(self, term: TermId) -> Option<Claim> {
+        if self.terms.ty(term) == RUN {
+            return self.in_time(term);
+        }
         let (meaning, args) = meaning(self.terms, term)?;
         Some(match (meaning, args) {
             (Meaning::And | Meaning::True, all) => Claim::All(self.each(all)?),
@@ -141,6 +151,50 @@ impl Teller<'_> {
                 Claim::Related { relation: self.name(term)?, nouns }
             }
             _ => return None,
+        })
+    }
+
+    /// What a task over time says.
+    fn in_time(self, term: TermId) -> Option<Claim> {
+        let Node::Apply { args, .. } = self.terms.node(term) else { return None };
+        Some(match (&*self.name(term)?, args) {
+            ("all", all) => Claim::All(self.each(all)?),
+            ("any", any) => Claim::Any(self.each(any)?),
+            ("always", &[holds]) => Claim::Never(Box::new(self.denied(holds)?)),
+            ("until", &[hold, reach, then]) => {
+                let mut step = self.claim(reach)?;
+                if hold != self.terms.truth() {
+                    step = Claim::Until(Box::new([self.claim(hold)?, step]));
+                }
+                match self.is_done(then) {
+                    true => step,
+                    false => match self.claim(then)? {
+                        Claim::Then(next) => Claim::Then([vec![step], next].concat()),
+                        next => Claim::Then(vec![step, next]),
+                    },
+                }
+            }
+            _ => return None,
+        })
+    }
+
+    fn is_done(self, task: TermId) -> bool {
+        self.name(task).is_some_and(|name| name == "done")
+    }
+
+    /// What a term says that is denied.
+    fn denied(self, term: TermId) -> Option<Claim> {
+        Some(match self.claim(term)? {
+            Claim::Not(denied) => *denied,
+            // None of some is any of them at no time.
+            Claim::All(all) if all.iter().all(|one| matches!(one, Claim::Not(_))) => {
+                let denied = all.into_iter().filter_map(|one| match one {
+                    Claim::Not(denied) => Some(*denied),
+                    _ => None,
+                });
+                Claim::Any(denied.collect())
+            }
+            other => Claim::Not(Box::new(other)),
         })
     }
 

@@ -4,6 +4,8 @@
 use super::course::Course;
 use super::goal::Goal;
 use super::outline::{Outline, Part};
+use super::thing::Entity;
+use crate::domain::layout::Layout;
 use crate::domain::{Movable, State};
 use crate::logic::{TermId, Terms, print};
 
@@ -48,6 +50,60 @@ impl Course {
             });
         }
         Course::bound(outline, guards)
+    }
+
+    /// What its steps are to reach, in their order, where they are one after the other: places among its guards.
+    pub fn steps(&self) -> Vec<usize> {
+        let parts = self.outline().parts();
+        let (mut steps, mut at) = (Vec::new(), parts.len().checked_sub(1));
+        while let Some(part) = at.and_then(|at| parts.get(at)) {
+            at = match part {
+                Part::Until { reach, then, .. } => {
+                    steps.push(*reach);
+                    Some(*then)
+                }
+                Part::All(all) => {
+                    all.iter().copied().find(|&at| !matches!(parts.get(at), Some(Part::Always(_))))
+                }
+                _ => None,
+            };
+        }
+        steps
+    }
+
+    /// How many of its steps were done at each state of a run.
+    pub fn done(&self, run: &[State]) -> Vec<u8> {
+        let steps = self.steps();
+        let mut done = 0;
+        let mut all = Vec::with_capacity(run.len());
+        for state in run {
+            let is_done = |at: &usize| self.guards().get(*at).is_some_and(|goal| goal.holds(state));
+            while steps.get(done).is_some_and(is_done) {
+                done += 1;
+            }
+            all.push(done as u8);
+        }
+        all
+    }
+
+    /// The cells that the robot may not stand in, all else as it is, for something that is demanded on the way.
+    pub fn forbidden(&self, terms: &Terms, initial: &State) -> Vec<(i32, i32)> {
+        let parts = self.outline().parts().iter().filter_map(guard);
+        let binds = |&at: &usize| self.said(at) != terms.truth();
+        let guards = parts.filter(binds).filter_map(|at| self.guards().get(at));
+        let guards: Vec<&Goal> =
+            guards.filter(|goal| goal.mover(initial) == Some(Entity::Agent)).collect();
+        if guards.is_empty() {
+            return Vec::new();
+        }
+        let mut there = initial.clone();
+        let layout = Layout::new(initial);
+        let cells = layout.places().map(|place| layout.cell(place));
+        let is_forbidden = |&cell: &(i32, i32)| {
+            (there.agent.x, there.agent.y) = cell;
+            guards.iter().any(|goal| !goal.holds(&there))
+        };
+        cells.filter(is_forbidden).collect()
     }
 
     /// The objects that one of its steps says to move; constraints move nothing.

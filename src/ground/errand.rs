@@ -84,6 +84,16 @@ fn leg(from: &Compiled, to: &Compiled, dynamics: &Dynamics, initial: Packed) -> 
 }
 
 impl Moves {
+    /// The world's moves.
+    pub fn dynamics(&self) -> &Dynamics {
+        &self.dynamics
+    }
+
+    /// The first state, told from every other.
+    pub fn start(&self) -> Packed {
+        self.start
+    }
+
     /// Whether nothing is left to chance: every action has one outcome in every state.
     pub fn is_deterministic(&self) -> bool {
         self.dynamics.is_deterministic(self.start)

@@ -3,10 +3,12 @@
 use super::claim::measured;
 use super::denote::{Denotation, Failure, meaning};
 use super::goal::{GoalError, check};
+use super::outline::Outline;
 use super::predicate::{Meaning, Measure};
 use super::shade::Shade;
 use super::thing::Entity;
 use crate::domain::{Color, State};
+use crate::logic::ty::RUN;
 use crate::logic::{Node, TermId, Terms};
 
 /// A phrase that stands for something in the world: `the`, `argmax` or `argmin` of something.
@@ -20,13 +22,17 @@ pub struct Phrase {
     pub taken: Option<(Shade, Color)>,
 }
 
-/// The closed phrases of a goal, each once, in the order of the goal, inner ones before those around them, and what
+/// The closed phrases of a goal, or of a task over time, each once, in the order of the goal, inner ones before those around them, and what
 /// they refer to in the initial state.
 ///
 /// # Errors
 /// Why the term is no goal.
 pub fn phrases(terms: &Terms, goal: TermId, initial: &State) -> Result<Vec<Phrase>, GoalError> {
-    check(terms, goal)?;
+    if terms.ty(goal) == RUN {
+        Outline::new(terms, goal)?.guards().iter().try_for_each(|&guard| check(terms, guard))?;
+    } else {
+        check(terms, goal)?;
+    }
     let mut denotation = Denotation::new(terms, initial);
     let mut found = Vec::new();
     visit(terms, goal, &mut denotation, &mut found);

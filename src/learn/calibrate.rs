@@ -6,6 +6,7 @@ use super::score::Verdict;
 use crate::ccg::doubt::{Doubt, Signs};
 use crate::ccg::{ChartConfig, Model, parse, signs};
 use crate::corpus::Example;
+use crate::logic::ty::RUN;
 
 /// Steps of the descent; each goes once over all marks.
 const STEPS: usize = 1_500;
@@ -23,13 +24,18 @@ pub struct Mark {
     pub right: bool,
 }
 
-/// The marks of a model's answers to examples; those without an answer have none.
+/// The marks of a model's answers to examples; those without an answer have none, nor have tasks over time that pairs of
+/// states are to show: they tell nothing of those.
 pub fn marks(model: &mut Model, examples: &[Example]) -> Vec<Mark> {
     let config = ChartConfig::of(model);
     let mut marks = Vec::new();
     for example in examples {
         let parse = parse(model, &example.command, config);
         let Some(answer) = parse.answer() else { continue };
+        let is_of_time = model.grammar.terms.ty(answer.form) == RUN;
+        if is_of_time && example.pairs.iter().all(|pair| pair.way.is_none()) {
+            continue;
+        }
         let right = verdict(&model.grammar.terms, Some(answer.form), example) == Verdict::Right;
         marks.extend(signs(model, &parse).map(|signs| Mark { signs, right }));
     }

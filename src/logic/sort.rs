@@ -55,9 +55,12 @@ impl Sorts {
                     Node::Constant(constant) => terms.name(constant),
                     _ => "",
                 };
-                // What is denied, or one of several, is no claim about the variables; but it could have been true.
-                if ["not", "or", "any"].contains(&name) {
-                    return args.iter().any(|&arg| self.check(terms, arg, &mut around.clone()));
+                // What is denied is no claim about the variables; but it could have been true.
+                if name == "not" {
+                    return args.iter().all(|&arg| self.check(terms, arg, &mut around.clone()));
+                }
+                if ["or", "any"].contains(&name) {
+                    return self.check_one(terms, args, around);
                 }
                 let sets = self.arguments.get(name);
                 args.iter().enumerate().all(|(at, &arg)| {
@@ -69,6 +72,23 @@ impl Sorts {
                 })
             }
         }
+    }
+
+    /// The same for one of several: each variable keeps the sorts that it has in any part that could be true.
+    fn check_one(&self, terms: &Terms, parts: &[TermId], around: &mut Vec<SortSet>) -> bool {
+        let mut found: Option<Vec<SortSet>> = None;
+        for &part in parts {
+            let mut own = around.clone();
+            if self.check(terms, part, &mut own) {
+                let joined = found.get_or_insert_with(|| vec![0; own.len()]);
+                joined.iter_mut().zip(own).for_each(|(all, set)| *all |= set);
+            }
+        }
+        let fits = found.is_some();
+        if let Some(joined) = found {
+            *around = joined;
+        }
+        fits
     }
 
     /// The sorts of what an argument stands for; `None` when it cannot stand for anything.

@@ -6,7 +6,7 @@ use super::protocol::{Answer, PlanProgress, Reading, WorldRules};
 use super::read::{parsed, reading, shown, taken, words};
 use crate::ccg::{Model, Parse, probability};
 use crate::domain::State;
-use crate::ground::Goal;
+use crate::logic::print;
 use std::rc::Rc;
 
 /// A command being answered.
@@ -63,17 +63,18 @@ impl Asking {
         let mut answer = Box::new(answer(model, &parse, &self.command, &self.state));
         let best = parse.answer().filter(|_| answer.asks.is_empty());
         let Some(best) = best else { return Asked::Answered(answer, None) };
-        let Ok(goal) = Goal::new(&model.grammar.terms, best.form, &self.state) else {
-            answer.plan = Some(no_plan(&self.state, "bad_goal"));
-            return Asked::Answered(answer, None);
-        };
-        match Planning::begin(&goal, &self.state, &self.rules, true) {
+        let form = print(&model.grammar.terms, best.form);
+        match Planning::begin(&form, &self.state, &self.rules, true) {
             Ok(Begun::Work(planning)) => {
                 self.stage = Stage::Plan(answer, planning);
                 Asked::Working(None)
             }
             Ok(Begun::Done(plan)) => {
                 answer.plan = Some(*plan);
+                Asked::Answered(answer, None)
+            }
+            Err(PlanError::Form(_) | PlanError::Goal(_)) => {
+                answer.plan = Some(no_plan(&self.state, "bad_goal", None));
                 Asked::Answered(answer, None)
             }
             Err(error) => Asked::Failed(error),

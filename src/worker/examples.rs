@@ -7,7 +7,7 @@ use super::protocol::{Event, Fate, PlanText, Wanted, WorldRules};
 use super::read::parsed;
 use crate::ccg::Model;
 use crate::domain::{Object, Room, State};
-use crate::ground::Goal;
+use crate::logic::print;
 use std::collections::VecDeque;
 
 /// An example is done in so many steps at most.
@@ -55,8 +55,8 @@ impl Looking {
             && answer.asks.is_empty()
             && answer.words.iter().all(|word| matches!(word.fate, Fate::Meant | Fate::Empty));
         let best = parse.answer().filter(|_| is_read)?;
-        let goal = Goal::new(&model.grammar.terms, best.form, &self.state).ok()?;
-        match Planning::begin(&goal, &self.state, &self.rules, false).ok()? {
+        let form = print(&model.grammar.terms, best.form);
+        match Planning::begin(&form, &self.state, &self.rules, false).ok()? {
             Begun::Work(planning) => self.planning = Some((command, planning, 0)),
             Begun::Done(plan) => return self.shows(&plan).then(|| self.found(Some(command))),
         }

@@ -3,6 +3,7 @@
 
 pub mod protocol;
 mod plan;
+mod course;
 mod watch;
 mod world;
 mod read;

@@ -1,9 +1,11 @@
 //! A goal on its way to a plan: a solver is chosen and pumped, its policy is followed once, and where the policy does
 //! not know what has happened the robot thinks again. The policy that comes of it can be asked further (`watch`).
 
-use super::protocol::{PlanProgress, PlanText, WorldRules};
+use super::course::Timed;
+use super::protocol::{Instead, PlanProgress, PlanText, WorldRules};
 use crate::domain::{Action, Chances, Form, Movable, NotAProbability, Packed, Rules, State};
-use crate::ground::{Goal, Task, TaskError};
+use crate::ground::{ErrandError, Goal, GoalError, Task, TaskError, Undertaking};
+use crate::logic::{ReadError, Terms, read, ty};
 use crate::mdp::{Mdp, Outcome, Policy, Settings, Solver, StartingAt, sample};
 use crate::plan::{Auto, ValueIteration};
 use rand::SeedableRng;
@@ -12,7 +14,7 @@ use std::cell::OnceCell;
 use std::rc::Rc;
 
 /// Steps of the solver in a step of the job.
-const STEPS: usize = 500;
+pub(super) const STEPS: usize = 500;
 /// Actions in a step of the job.
 const ACTIONS: usize = 200;
 /// Steps of the job from one report to the next.
@@ -29,14 +31,23 @@ const MOST_ACTIONS: usize = 2_000;
 const MOST_REPLANS: u32 = 20;
 
 /// A task, shared by its solvers.
-pub(super) type Problem = StartingAt<Rc<Task>>;
+pub(super) type Problem = StartingAt<Rc<Undertaking>>;
 
 /// Why there is nothing to plan.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum PlanError {
+    /// The form cannot be read.
+    #[error(transparent)]
+    Form(#[from] ReadError),
+    /// It is no goal and no task.
+    #[error(transparent)]
+    Goal(#[from] GoalError),
     /// The state is illegal or too large.
     #[error(transparent)]
     Task(#[from] TaskError),
+    /// The same of a task over time, or it has too many stages.
+    #[error(transparent)]
+    Errand(#[from] ErrandError),
     /// The rules are none.
     #[error("the {} lies between 0 and 1, as a probability does", .0.name)]
     Rules(#[from] NotAProbability),
@@ -52,7 +63,13 @@ pub(super) enum Begun {
 
 /// A plan at work.
 pub(super) struct Planning {
-    task: Rc<Task>,
+    task: Rc<Undertaking>,
+    /// The task, if it is one over time.
+    timed: Option<Timed>,
+    /// How many of its steps were done in each state of the run.
+    done: Vec<u8>,
+    /// What else could be done.
+    instead: Option<Option<Box<Instead>>>,
     /// The solver of the beginning; its policy is what is kept.
     first: Auto<Problem>,
     outcome: Option<Outcome>,
@@ -66,6 +83,8 @@ struct Run {
     at: Packed,
     actions: Vec<Action>,
     states: Vec<State>,
+    /// The stage of a task over time at each of them.
+    stages: Vec<u8>,
     again: Option<Again>,
     replans: u32,
     rng: Pcg64Mcg,
@@ -81,49 +100,89 @@ struct Again {
 
 /// A policy that was found for a task.
 pub(super) struct Planned {
-    pub(super) task: Rc<Task>,
+    pub(super) task: Rc<Undertaking>,
+    /// The stages of a task over time that the run came to, by how many steps were done.
+    stages: Vec<(u8, u8)>,
     pub(super) solver: Auto<Problem>,
     /// The values of all states, once somebody asked for them and they were not too many.
     pub(super) all: OnceCell<Option<ValueIteration<Problem>>>,
 }
 
 impl Planning {
-    /// Begins to plan for a goal that was bound to `state`; in haste, if the first plan will do where nothing is left to
-    /// chance.
+    /// Begins to plan for a goal of states or a task over time, which is said in `state`; in haste, if the first plan
+    /// will do where nothing is left to chance.
     pub(super) fn begin(
-        goal: &Goal,
+        form: &str,
         state: &State,
         rules: &WorldRules,
         is_hasty: bool,
     ) -> Result<Begun, PlanError> {
-        let task = Rc::new(Task::new(goal, state, world(goal, state, rules)?)?);
-        if goal.denies_nothing() || task.is_impossible() {
-            let is_lost = !goal.failures().is_empty();
-            let reason = if is_lost { "no_referent" } else { "unreachable" };
-            return Ok(Begun::Done(Box::new(no_plan(state, reason))));
+        let mut terms = Terms::new();
+        let term = read(&mut terms, form)?;
+        let done = |reason, instead| Ok(Begun::Done(Box::new(no_plan(state, reason, instead))));
+        if terms.ty(term) != ty::RUN {
+            let goal = Goal::new(&terms, term, state)?;
+            let task = Task::new(&goal, state, world(goal.movable(state), rules)?)?;
+            if goal.denies_nothing() || task.is_impossible() {
+                let is_lost = !goal.failures().is_empty();
+                return done(if is_lost { "no_referent" } else { "unreachable" }, None);
+            }
+            let task = Undertaking::Goal(Box::new(task));
+            return Ok(Self::begun(task, None, state, (rules.luck, is_hasty)));
         }
-        let at = task.world().initial();
-        Ok(Begun::Work(Box::new(Planning::new(task, (at, state), rules.luck, is_hasty))))
+        let mut timed = Timed::new(terms, term, state)?;
+        if timed.course.guards().iter().any(Goal::denies_nothing) {
+            return done("no_referent", None);
+        }
+        let world = world(timed.course.movable(state), rules)?;
+        let task = Undertaking::course(&timed.course, state, world)?;
+        if task.has_failed(task.initial()) {
+            return match timed.course.outline().is_never() {
+                true => done("unreachable", None),
+                false => done("already_broken", timed.once_out(state, 0)),
+            };
+        }
+        Ok(Self::begun(task, Some(timed), state, (rules.luck, is_hasty)))
     }
 
-    /// Begins to plan for a task from another state; nothing if that is a state of another world.
-    pub(super) fn go_on(task: Rc<Task>, state: &State) -> Option<Planning> {
+    /// Begins to plan for what was planned for from another state; nothing if that is a state of another world, or if it is
+    /// a task over time, since no state says how far that has come.
+    pub(super) fn go_on(task: Rc<Undertaking>, state: &State) -> Option<Planning> {
+        let Undertaking::Goal(_) = &*task else { return None };
         let at = packed(&task, state)?;
-        Some(Planning::new(task, (at, state), 0, false))
+        Some(Planning::new(task, None, (at, state), (0, false)))
     }
 
-    fn new(task: Rc<Task>, (at, state): (Packed, &State), luck: u32, is_hasty: bool) -> Self {
-        let first = solver(&task, task.dynamics().quotient(at));
+    fn begun(
+        task: Undertaking,
+        timed: Option<Timed>,
+        state: &State,
+        settings: (u32, bool),
+    ) -> Begun {
+        let task = Rc::new(task);
+        let at = task.world().initial();
+        Begun::Work(Box::new(Planning::new(task, timed, (at, state), settings)))
+    }
+
+    fn new(
+        task: Rc<Undertaking>,
+        timed: Option<Timed>,
+        (at, state): (Packed, &State),
+        (luck, is_hasty): (u32, bool),
+    ) -> Self {
+        let first = solver(&task, task.known(at));
         let run = Run {
             at,
             actions: Vec::new(),
             states: vec![state.clone()],
+            stages: vec![at.mark()],
             again: None,
             replans: 0,
             rng: Pcg64Mcg::seed_from_u64(u64::from(luck)),
             buffer: Vec::new(),
         };
-        Planning { task, first, outcome: None, is_hasty, run, steps: 0 }
+        let (done, outcome, instead) = (Vec::new(), None, None);
+        Planning { task, timed, done, instead, first, outcome, is_hasty, run, steps: 0 }
     }
 
     /// Does a bounded part; the plan when it is there.
@@ -136,12 +195,21 @@ impl Planning {
                 // A plan that is known is worth something.
                 self.outcome = self.outcome.or((progress().lower > 0.0).then_some(Outcome::Budget));
             }
+            if self.outcome == Some(Outcome::Unreachable) && self.task.is_over() {
+                self.outcome = Some(Outcome::Budget);
+            }
             return None;
         }
-        if self.outcome == Some(Outcome::Unreachable) || self.walk() {
-            return Some(self.text());
+        if self.outcome == Some(Outcome::Unreachable) {
+            let rules = self.task.dynamics().rules();
+            let Some(timed) = self.timed.as_mut().filter(|timed| !timed.is_lost()) else {
+                return Some(self.text());
+            };
+            let [state, ..] = &self.run.states[..] else { return Some(self.text()) };
+            self.instead = timed.relax(state, rules);
+            return self.instead.is_some().then(|| self.text());
         }
-        None
+        self.walk().then(|| self.text())
     }
 
     /// How far the planner is, every now and then.
@@ -151,8 +219,10 @@ impl Planning {
     }
 
     /// What was found, to be asked further.
-    pub(super) fn into_planned(self) -> Rc<Planned> {
-        Rc::new(Planned { task: self.task, solver: self.first, all: OnceCell::new() })
+    pub(super) fn into_planned(mut self) -> Rc<Planned> {
+        let stages = std::mem::take(&mut self.run.stages);
+        let stages = self.done.drain(..).zip(stages).collect();
+        Rc::new(Planned { task: self.task, stages, solver: self.first, all: OnceCell::new() })
     }
 
     /// Follows the policy a little further; whether the run is over.
@@ -163,10 +233,13 @@ impl Planning {
                 again.has_ended = again.solver.step(STEPS).is_some();
                 return false;
             }
-            if task.is_terminal(run.at) || run.actions.len() >= MOST_ACTIONS {
+            if task.is_terminal(run.at)
+                || task.has_failed(run.at)
+                || run.actions.len() >= MOST_ACTIONS
+            {
                 return true;
             }
-            let known = task.dynamics().quotient(run.at);
+            let known = task.known(run.at);
             let again = run.again.as_ref();
             let policies = || again.map(|again| &again.solver).into_iter().chain([&*first]);
             let Some(action) = policies().find_map(|policy| policy.action(known)) else {
@@ -182,7 +255,8 @@ impl Planning {
             };
             run.at = sample(&task.world(), run.at, action, &mut run.buffer, &mut run.rng);
             run.actions.push(action);
-            run.states.push(task.dynamics().unpack(run.at));
+            run.states.push(task.state(run.at));
+            run.stages.push(run.at.mark());
         }
         false
     }
@@ -193,33 +267,51 @@ impl Planning {
             Some(Outcome::Unreachable) => Some("unreachable"),
             _ => Some("budget"),
         };
+        let states = std::mem::take(&mut self.run.states);
+        self.done = self.timed.as_ref().map_or(Vec::new(), |timed| timed.course.done(&states));
+        let mut instead = self.instead.take().flatten();
+        let is_broken = self.task.has_failed(self.run.at);
+        if is_broken && let (Some(timed), Some(last)) = (&mut self.timed, states.last()) {
+            instead = timed.once_out(last, self.done.last().copied().unwrap_or(0).into());
+        }
+        let reason = if is_broken { Some("broken") } else { reason };
         PlanText {
             actions: self.run.actions.iter().map(|action| action.name().to_owned()).collect(),
-            states: std::mem::take(&mut self.run.states),
+            states,
             reason: reason.map(str::to_owned),
             reached: self.task.is_terminal(self.run.at),
             sure: self.task.is_deterministic(),
             replans: self.run.replans,
             work: Some(progress(&self.first)),
+            done: self.done.clone(),
+            instead,
         }
     }
 }
 
 /// A state of the task's world; nothing if it is one of another.
-pub(super) fn packed(task: &Task, state: &State) -> Option<Packed> {
+pub(super) fn packed(task: &Undertaking, state: &State) -> Option<Packed> {
     let dynamics = task.dynamics();
     dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)
 }
 
+impl Planned {
+    /// A state of the world when so many steps of a task over time are done.
+    pub(super) fn staged(&self, state: Packed, done: u8) -> Packed {
+        let stage = self.stages.iter().find(|&&(steps, _)| steps == done);
+        stage.map_or(state, |&(_, stage)| state.marked(stage))
+    }
+}
+
 /// A solver for the task begun in a state.
-pub(super) fn solver(task: &Rc<Task>, start: Packed) -> Auto<Problem> {
+pub(super) fn solver(task: &Rc<Undertaking>, start: Packed) -> Auto<Problem> {
     let steps = if task.is_deterministic() { SURE } else { BUDGET.0 };
     let settings = Settings::default().with_budget(steps, BUDGET.1);
     Auto::new(StartingAt::new(task.clone(), start), settings)
 }
 
 /// No plan: the world stays as it is.
-pub(super) fn no_plan(start: &State, reason: &str) -> PlanText {
+pub(super) fn no_plan(start: &State, reason: &str, instead: Option<Box<Instead>>) -> PlanText {
     PlanText {
         actions: Vec::new(),
         states: vec![start.clone()],
@@ -228,6 +320,8 @@ pub(super) fn no_plan(start: &State, reason: &str) -> PlanText {
         sure: true,
         replans: 0,
         work: None,
+        done: Vec::new(),
+        instead,
     }
 }
 
@@ -244,11 +338,12 @@ fn progress(solver: &Auto<Problem>) -> PlanProgress {
     }
 }
 
-fn world(goal: &Goal, state: &State, rules: &WorldRules) -> Result<Rules, NotAProbability> {
+/// The rules of the world, in which `movable` is what a command says to move.
+fn world(movable: Movable, rules: &WorldRules) -> Result<Rules, NotAProbability> {
     Ok(Rules {
         pull: rules.pull,
         form: if rules.robot { Form::Robot } else { Form::Compass },
-        movable: if rules.landmarks_stay { goal.movable(state) } else { Movable::ALL },
+        movable: if rules.landmarks_stay { movable } else { Movable::ALL },
         chances: Chances::new(rules.slip, rules.lock, rules.loss)?,
     })
 }

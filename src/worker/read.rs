@@ -7,9 +7,9 @@ use crate::ccg::{
     alike, composed_words, parse_words,
 };
 use crate::domain::{Bounds, Color, Shape, State};
-use crate::ground::{self, Class, Entity, Failure, Goal, Thing, claim, noun, phrases};
-use crate::logic::ty::TRUTH;
-use crate::logic::{TermId, print, print_human, steps};
+use crate::ground::{self, Class, Course, Entity, Failure, Goal, Thing, claim, noun, phrases};
+use crate::logic::ty::{RUN, TRUTH};
+use crate::logic::{TermId, Terms, print, print_human, steps};
 
 /// Readings that an answer shows, unless more are tied for best.
 const MAX_READINGS: usize = 10;
@@ -116,6 +116,33 @@ pub(super) fn reading(
         derivation: derivation.print(model, &parse.words),
         phrases,
         cells: Goal::new(terms, reading.form, state).map_or(Vec::new(), |goal| goal.cells(state)),
+        forbidden: forbidden(terms, reading.form, state),
+    }
+}
+
+/// A task that nobody said in these words, as a reading.
+pub(super) fn plain(terms: &Terms, task: TermId, state: &State) -> Reading {
+    let things = Thing::all(state);
+    let found = phrases(terms, task, state).unwrap_or_default().into_iter();
+    Reading {
+        form: print(terms, task),
+        formula: vec![Piece { text: print_human(terms, task), words: None }],
+        claim: claim(terms, task),
+        score: 0.0,
+        nodes: Vec::new(),
+        derivation: String::new(),
+        phrases: found.map(|phrase| said_as(terms, &things, phrase, Vec::new())).collect(),
+        cells: Vec::new(),
+        forbidden: forbidden(terms, task, state),
+    }
+}
+
+/// Where the robot may not stand on the way of a task over time.
+fn forbidden(terms: &Terms, task: TermId, state: &State) -> Vec<(i32, i32)> {
+    match terms.ty(task) {
+        RUN => Course::new(terms, task, state)
+            .map_or(Vec::new(), |course| course.forbidden(terms, state)),
+        _ => Vec::new(),
     }
 }
 
@@ -140,25 +167,35 @@ fn said(model: &mut Model, trace: Option<&Trace>, goal: TermId, state: &State) -
     let things = Thing::all(state);
     let said = |phrase: ground::Phrase| {
         let words = trace.map(|trace| trace.words_of(phrase.term, &mut model.grammar.terms));
-        let (refers, entities) = match phrase.referent {
-            Ok(entity) => (Refers::One, vec![entity]),
-            Err(Failure::None) => (Refers::None, Vec::new()),
-            Err(Failure::Several(which)) => (Refers::Several, which),
-            Err(Failure::Tie(which)) => (Refers::Tie, which),
-            Err(Failure::Single(only)) => (Refers::Single, vec![only]),
-            Err(Failure::Mixed(which)) => (Refers::Mixed, which),
-            Err(Failure::Inner) => (Refers::Inner, Vec::new()),
-        };
-        let thing = |entity: &Entity| things.iter().find(|thing| thing.is(entity));
-        Phrase {
-            noun: noun(&model.grammar.terms, phrase.term),
-            words: words.unwrap_or_default(),
-            refers,
-            taken: phrase.taken,
-            referents: entities.iter().filter_map(thing).map(|&thing| referent(thing)).collect(),
-        }
+        said_as(&model.grammar.terms, &things, phrase, words.unwrap_or_default())
     };
     found.into_iter().map(said).collect()
+}
+
+/// A phrase that these words carried, with what it refers to.
+fn said_as(
+    terms: &Terms,
+    things: &[Thing<'_>],
+    phrase: ground::Phrase,
+    words: Vec<usize>,
+) -> Phrase {
+    let (refers, entities) = match phrase.referent {
+        Ok(entity) => (Refers::One, vec![entity]),
+        Err(Failure::None) => (Refers::None, Vec::new()),
+        Err(Failure::Several(which)) => (Refers::Several, which),
+        Err(Failure::Tie(which)) => (Refers::Tie, which),
+        Err(Failure::Single(only)) => (Refers::Single, vec![only]),
+        Err(Failure::Mixed(which)) => (Refers::Mixed, which),
+        Err(Failure::Inner) => (Refers::Inner, Vec::new()),
+    };
+    let thing = |entity: &Entity| things.iter().find(|thing| thing.is(entity));
+    Phrase {
+        noun: noun(terms, phrase.term),
+        words,
+        refers,
+        taken: phrase.taken,
+        referents: entities.iter().filter_map(thing).map(|&thing| referent(thing)).collect(),
+    }
 }
 
 fn referent(thing: Thing<'_>) -> Referent {

@@ -13,8 +13,6 @@ use super::watch::{Rolling, Valuing};
 use super::world;
 use crate::ccg::{General, Model};
 use crate::domain::State;
-use crate::ground::Goal;
-use crate::logic::{Terms, read};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -57,9 +55,9 @@ impl Role for Talker {
                 Ok(ask(Asking::new(command, state, rules)))
             }
             Request::Plan { form, state, rules } => plan(&form, &state, &rules),
-            Request::Values { state } => {
+            Request::Values { state, done } => {
                 let planned = self.planned.clone().ok_or(NO_PLAN)?;
-                let mut valuing = Valuing::new(planned, &state).ok_or(OTHER_WORLD)?;
+                let mut valuing = Valuing::new(planned, &state, done).ok_or(OTHER_WORLD)?;
                 Ok(Box::new(move |_| match valuing.step() {
                     Some(map) => Step::Over(Event::Values(map)),
                     None => Step::Working(None),
@@ -148,10 +146,7 @@ fn ask(mut asking: Asking) -> Job<Talker> {
 }
 
 fn plan(form: &str, state: &State, rules: &WorldRules) -> Result<Job<Talker>, String> {
-    let mut terms = Terms::new();
-    let term = read(&mut terms, form).map_err(|error| error.to_string())?;
-    let goal = Goal::new(&terms, term, state).map_err(|error| error.to_string())?;
-    let begun = Planning::begin(&goal, state, rules, false).map_err(|error| error.to_string())?;
+    let begun = Planning::begin(form, state, rules, false).map_err(|error| error.to_string())?;
     let mut planning = match begun {
         Begun::Work(planning) => Some(planning),
         Begun::Done(plan) => {

@@ -4,7 +4,7 @@ use super::plan::{Planned, Problem, packed, solver};
 use super::protocol::{CellValue, Runs, ValueMap};
 use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Packed, State};
-use crate::ground::Task;
+use crate::ground::Undertaking;
 use crate::mdp::{
     Mdp, Outcome, Policy, Progress, RolloutReport, RolloutSettings, Rollouts, Settings, Solver,
     StartingAt,
@@ -34,9 +34,10 @@ pub(super) struct Valuing {
 }
 
 impl Valuing {
-    /// A map of the world as it is in `state`; nothing if that is a state of another world.
-    pub(super) fn new(planned: Rc<Planned>, state: &State) -> Option<Valuing> {
-        let around = packed(&planned.task, state)?;
+    /// A map of the world as it is in `state`, when so many steps of a task over time are done; nothing if that is a
+    /// state of another world.
+    pub(super) fn new(planned: Rc<Planned>, state: &State, done: u8) -> Option<Valuing> {
+        let around = planned.staged(packed(&planned.task, state)?, done);
         let all = planned.all.get().is_none().then(|| {
             let settings = Settings::default().with_budget(u64::MAX, STATES);
             let start = planned.task.initial();
@@ -72,9 +73,7 @@ impl Valuing {
     fn cell(&self, place: Place, policy: &impl Policy<Packed, Action>) -> Option<CellValue> {
         let task = &self.planned.task;
         let dynamics = task.dynamics();
-        let there = |heading: Direction| {
-            Some(dynamics.quotient(dynamics.with_agent(self.around, place, heading)?))
-        };
+        let there = |heading: Direction| self.planned.task.moved(self.around, place, heading);
         let worth = |(i, &heading): (usize, &Direction)| {
             let state = there(heading)?;
             // Facing another way is mostly the same state.
@@ -99,7 +98,7 @@ impl Valuing {
 
 /// Runs at work.
 pub(super) struct Rolling {
-    rollouts: Rollouts<Rc<Task>, Follower, Make>,
+    rollouts: Rollouts<Rc<Undertaking>, Follower, Make>,
     said: u32,
 }
 

@@ -7,6 +7,8 @@ mod commands;
 mod shown;
 #[path = "time/plans.rs"]
 mod plans;
+#[path = "time/hundred.rs"]
+mod hundred;
 
 use groundling::ground::{Beginnings, Comparison, Monitor, Outline, Part, compare};
 use groundling::logic::{TermId, Terms, read};

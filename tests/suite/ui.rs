@@ -207,6 +207,7 @@ pub(crate) fn reading(form: &str) -> Reading {
         derivation: String::new(),
         phrases: Vec::new(),
         cells: Vec::new(),
+        forbidden: Vec::new(),
     }
 }
 
@@ -250,6 +251,8 @@ pub(crate) fn plan(from: &World, steps: i32) -> PlanText {
         sure: true,
         replans: 0,
         work: Some(work()),
+        done: Vec::new(),
+        instead: None,
     }
 }
 

@@ -36,8 +36,8 @@ pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event:
         }
         (Event::Planned(plan), _) => answer::replanned(state, shared, *plan),
         (Event::Explained(studies), _) => state.command.studies = Some(Rc::new(studies)),
-        (Event::Values(map), Request::Values { state: of }) => {
-            state.watch.values = Some(Values { map: Rc::new(map), of });
+        (Event::Values(map), Request::Values { state: of, done }) => {
+            state.watch.values = Some(Values { map: Rc::new(map), of, done });
             values::look(state, shared);
         }
         (Event::RolledOut(runs), _) => {

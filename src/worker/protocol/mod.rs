@@ -22,7 +22,7 @@ pub use learning::{
 };
 pub use message::{Envelope, Program, VERSION};
 pub use planning::{
-    Answer, CellValue, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
+    Answer, CellValue, Instead, MOST_RUNS, PlanProgress, PlanText, Runs, ValueMap, WorldRules,
 };
 pub use reading::{Fate, Node, Phrase, Piece, Reading, Referent, Refers, Study, Taken, Word};
 pub use request::{Request, Wanted};

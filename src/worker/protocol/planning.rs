@@ -2,6 +2,7 @@
 
 use super::reading::{Reading, Taken, Word};
 use crate::domain::{Direction, State};
+use crate::ground::Claim;
 use crate::plan::Why;
 use serde::{Deserialize, Serialize};
 
@@ -82,7 +83,7 @@ pub struct PlanText {
     /// The states, one more than actions.
     pub states: Vec<State>,
     /// Why there is no plan, or no proved one, in the command line's words (`no_referent`, `unreachable`, `budget`,
-    /// `bad_goal`).
+    /// `bad_goal`, `already_broken`), or `broken`: what happened on the way broke a demand.
     pub reason: Option<String>,
     /// Whether the last state fulfils the goal.
     pub reached: bool,
@@ -92,6 +93,19 @@ pub struct PlanText {
     pub replans: u32,
     /// How the planner ended; nothing where it had nothing to do.
     pub work: Option<PlanProgress>,
+    /// Of a task over time: how many of its steps are done in each state.
+    pub done: Vec<u8>,
+    /// What else could be done where a demand on the way leaves no way, is broken from the beginning, or was broken.
+    pub instead: Option<Box<Instead>>,
+}
+
+/// A task that asks for less than what was said.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Instead {
+    /// What it no longer demands, or demands only once it is so.
+    pub demands: Vec<Claim>,
+    /// The task.
+    pub reading: Reading,
 }
 
 impl PlanText {

@@ -67,6 +67,8 @@ pub struct Reading {
     /// Where the thing that the goal says to move could stand, all else as it is, for the goal to hold: cells of
     /// column and row. Empty where there is no single such thing, or too much to look through.
     pub cells: Vec<(i32, i32)>,
+    /// Where the robot may not stand on the way, all else as it is.
+    pub forbidden: Vec<(i32, i32)>,
 }
 
 /// A piece of a formula, and the places of the words that it came from.

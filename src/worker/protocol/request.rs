@@ -83,6 +83,8 @@ pub enum Request {
     Values {
         /// A state of the world that the policy is for.
         state: State,
+        /// Of a task over time: how many of its steps were done by then.
+        done: u8,
     },
     /// Follows the policy that is kept many times → [`Event::RollingOut`](super::Event::RollingOut) after each, then [`Event::RolledOut`](super::Event::RolledOut).
     RollOut {

@@ -47,7 +47,7 @@ enum Asked {
     Read { command: String, state: State },
     Ask { command: String, state: State, rules: WorldRules },
     Plan { form: String, state: State, rules: WorldRules },
-    Values { state: State },
+    Values { state: State, done: u8 },
     RollOut { runs: u32, seed: u32 },
     Explain { command: String },
     Example { wanted: Wanted, state: State, rules: WorldRules },

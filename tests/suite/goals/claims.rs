@@ -60,6 +60,9 @@ fn told(claim: &Claim) -> String {
         }
         Claim::Is(property, of) => format!("{property}({})", called(of)),
         Claim::Exists(what) => format!("exists {}", described(what)),
+        Claim::Then(all) => format!("then[{}]", each(all)),
+        Claim::Never(of) => format!("never {}", told(of)),
+        Claim::Until(both) => format!("until[{}]", each(&both[..])),
         Claim::Formula(text) => format!("`{text}`"),
     }
 }

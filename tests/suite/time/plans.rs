@@ -109,26 +109,35 @@ fn are_shortest(seed: u64, objects: u32) -> Result<(), TestCaseError> {
     for text in tasks(&initial) {
         let mut terms = Terms::new();
         let term = read(&mut terms, &text).unwrap();
-        let course = Course::new(&terms, term, &initial).unwrap();
-        let task = errand(&course, &initial, Rules::default()).unwrap();
-        let mut solver = Auto::new(&task, Settings::default());
-        let outcome = solver.run();
-        let expected = oracle(&course, &initial);
-        prop_assert_eq!(outcome == Outcome::Solved, expected.is_some(), "{}", text);
-        let Some(length) = expected else { continue };
-        let (mut state, mut out, mut taken) = (task.initial(), Vec::new(), 0);
-        while !task.is_terminal(state) {
-            prop_assert!(taken < length, "{}", text);
-            out.clear();
-            task.successors(state, solver.action(state).unwrap(), &mut out);
-            let (here, there) = (task.heuristic(state).unwrap(), task.heuristic(out[0].0));
-            let is_consistent = there.is_some_and(|there| here <= there + 1);
-            prop_assert!(is_consistent, "{} then {:?}: {}", here, there, text);
-            (state, taken) = (out[0].0, taken + 1);
-        }
-        prop_assert_eq!(taken, length, "{}", text);
+        is_shortest(&Course::new(&terms, term, &initial).unwrap(), &initial, &text)?;
     }
     Ok(())
+}
+
+/// The same of one task; the length of its plan, if there is one.
+pub(super) fn is_shortest(
+    course: &Course,
+    initial: &State,
+    text: &str,
+) -> Result<Option<usize>, TestCaseError> {
+    let task = errand(course, initial, Rules::default()).unwrap();
+    let mut solver = Auto::new(&task, Settings::default());
+    let outcome = solver.run();
+    let expected = oracle(course, initial);
+    prop_assert_eq!(outcome == Outcome::Solved, expected.is_some(), "{}", text);
+    let Some(length) = expected else { return Ok(None) };
+    let (mut state, mut out, mut taken) = (task.initial(), Vec::new(), 0);
+    while !task.is_terminal(state) {
+        prop_assert!(taken < length, "{}", text);
+        out.clear();
+        task.successors(state, solver.action(state).unwrap(), &mut out);
+        let (here, there) = (task.heuristic(state).unwrap(), task.heuristic(out[0].0));
+        let is_consistent = there.is_some_and(|there| here <= there + 1);
+        prop_assert!(is_consistent, "{} then {:?}: {}", here, there, text);
+        (state, taken) = (out[0].0, taken + 1);
+    }
+    prop_assert_eq!(taken, length, "{}", text);
+    Ok(Some(length))
 }
 
 proptest! {

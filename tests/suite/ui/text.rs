@@ -216,3 +216,47 @@ fn every_language_names_all_there_is() {
     assert_eq!(Language::of("de-CH"), Some(Language::German));
     assert_eq!(Language::of("xx"), None);
 }
+
+#[test]
+fn tasks_over_time_are_said_in_plain_words() {
+    let in_room = |color: &str| {
+        related("in", Noun::Robot, described(Article::The, &[color, "room"], Vec::new()))
+    };
+    let never = || Claim::Never(Box::new(in_room("yellow")));
+    let cases = [
+        (
+            Claim::Then(vec![in_room("red"), in_room("blue")]),
+            [
+                "The robot is in the red room, then the robot is in the blue room.",
+                "go to *the red room*, then go to *the blue room*",
+                "Der Roboter ist im roten Raum, dann ist der Roboter im blauen Raum.",
+                "in *den roten Raum* gehen, dann in *den blauen Raum* gehen",
+            ],
+        ),
+        (
+            Claim::All(vec![never(), in_room("red")]),
+            [
+                "The robot is never in the yellow room, and the robot is in the red room.",
+                "go to *the red room*, but never enter *the yellow room*",
+                "Der Roboter ist nie im gelben Raum, und der Roboter ist im roten Raum.",
+                "in *den roten Raum* gehen, aber nie in *den gelben Raum* gehen",
+            ],
+        ),
+        (
+            Claim::Until(Box::new([Claim::Not(Box::new(in_room("blue"))), in_room("red")])),
+            [
+                "The robot is in the red room, and until then the robot is not in the blue room.",
+                "go to *the red room*, and until then stay out of *the blue room*",
+                "Der Roboter ist im roten Raum, und bis dahin ist der Roboter nicht im blauen Raum.",
+                "in *den roten Raum* gehen und bis dahin *dem blauen Raum* fernbleiben",
+            ],
+        ),
+    ];
+    for (claim, expected) in cases {
+        let said = Language::ALL.map(|language| {
+            let phrases = phrases(language);
+            [phrases.sentence(&claim), phrases.deed(&claim)]
+        });
+        assert_eq!(said.concat(), expected);
+    }
+}

@@ -202,6 +202,6 @@ fn what_is_typed_is_read_without_a_plan_and_leaves_the_policy_alone() {
     let typed = read(&mut engine, "go to the blue room");
     assert_eq!(typed, Answer { plan: None, ..said });
     assert_eq!(read(&mut engine, "go to the").plan, None);
-    let values = pump(&mut engine, 7, Request::Values { state: state.clone() });
+    let values = pump(&mut engine, 7, Request::Values { state: state.clone(), done: 0 });
     assert!(matches!(only(values), Event::Values(map) if !map.cells.is_empty()));
 }

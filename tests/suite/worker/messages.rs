@@ -6,11 +6,11 @@ use groundling::domain::{Blueprint, Color, Direction, Shape, Size};
 use groundling::learn::PlannerCost;
 use groundling::worker::protocol::{
     Answer, Article, CellValue, Check, Claim, Closed, Confused, Demonstrated, Description,
-    EntryText, Envelope, Event, ExperimentProgress, Explanation, Fate, Figures, Judgement, Lesson,
-    Meaning, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress, PlanText, Program, Progress,
-    Reading, Referent, Refers, Refusal, Request, RunPart, RunReport, Runs, Settings, Shade, Study,
-    Taken, TaskFigures, TeachReport, Told, TrainReport, VERSION, ValueMap, Wanted, What, Why,
-    WireError, Word, WorldRules, decode, decode_asked, decode_said, encode,
+    EntryText, Envelope, Event, ExperimentProgress, Explanation, Fate, Figures, Instead, Judgement,
+    Lesson, Meaning, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress, PlanText, Program,
+    Progress, Reading, Referent, Refers, Refusal, Request, RunPart, RunReport, Runs, Settings,
+    Shade, Study, Taken, TaskFigures, TeachReport, Told, TrainReport, VERSION, ValueMap, Wanted,
+    What, Why, WireError, Word, WorldRules, decode, decode_asked, decode_said, encode,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use serde::{Serialize, de::DeserializeOwned};
@@ -121,7 +121,7 @@ fn requests() -> Vec<Request> {
         Request::Words { text: "stool\tchair\n".to_owned() },
         Request::Ask { command: "go".to_owned(), state: state.clone(), rules },
         Request::Plan { form: "p:t".to_owned(), state: state.clone(), rules },
-        Request::Values { state: state.clone() },
+        Request::Values { state: state.clone(), done: 0 },
         Request::GoOn { state: state.clone() },
         Request::RollOut { runs: 100, seed: 7 },
         Request::Demonstrate { command, state, settings: settings(2) },
@@ -189,6 +189,7 @@ fn events() -> Vec<Event> {
         derivation: "go\n--".to_owned(),
         phrases: vec![phrase],
         cells: vec![(0, 0)],
+        forbidden: vec![(1, 1)],
     };
     let work = PlanProgress {
         solver: "lrtdp".to_owned(),
@@ -207,6 +208,11 @@ fn events() -> Vec<Event> {
         sure: false,
         replans: 2,
         work: Some(work.clone()),
+        done: vec![0, 1],
+        instead: Some(Box::new(Instead {
+            demands: vec![Claim::Then(Vec::new())],
+            reading: reading.clone(),
+        })),
     };
     let cell = CellValue {
         x: 1,

@@ -50,7 +50,7 @@ fn planned(engine: &mut Engine<Talker>, form: &str, rules: WorldRules) -> PlanTe
 
 #[track_caller]
 fn values(engine: &mut Engine<Talker>, state: State) -> ValueMap {
-    match pump(engine, 2, Request::Values { state }).pop() {
+    match pump(engine, 2, Request::Values { state, done: 0 }).pop() {
         Some(Event::Values(map)) => map,
         other => panic!("{other:?}"),
     }
@@ -181,7 +181,7 @@ fn cells_are_worth_more_the_nearer_the_goal_is() {
 fn what_cannot_be_planned_or_asked_is_refused_in_words() {
     let mut engine = Engine::new();
     let no_plan = "There is no plan to go by: ask for something first.";
-    assert_eq!(refused(&mut engine, Request::Values { state: world() }), no_plan);
+    assert_eq!(refused(&mut engine, Request::Values { state: world(), done: 0 }), no_plan);
     assert_eq!(refused(&mut engine, Request::RollOut { runs: 1, seed: 0 }), no_plan);
     for (form, rules, words) in [
         ("nonsense", SURE, "column"),
@@ -204,7 +204,7 @@ fn what_cannot_be_planned_or_asked_is_refused_in_words() {
     planned(&mut engine, IN_BLUE, SURE);
     let mut other = world();
     other.objects.clear();
-    let said = refused(&mut engine, Request::Values { state: other });
+    let said = refused(&mut engine, Request::Values { state: other, done: 0 });
     assert_eq!(said, "The plan that is kept is for another world: plan again.");
     let said = refused(&mut engine, Request::RollOut { runs: 10_001, seed: 0 });
     assert_eq!(said, "Ask for between 1 and 10000 runs.");
@@ -224,4 +224,64 @@ fn a_plan_and_runs_can_be_stopped_and_leave_the_policy_before() {
     assert_eq!(next(&mut engine), (9, Event::Cancelled));
     assert!(!engine.busy());
     assert_eq!(values(&mut engine, world()), before);
+}
+
+fn room(color: &str) -> String {
+    format!("(the:<<e,t>,e> (lambda $0:e (and:<t*,t> ({color}:<e,t> $0) (room:<e,t> $0))))")
+}
+
+fn inside(color: &str) -> String {
+    format!("(in:<e,<e,t>> (the:<<e,t>,e> agent:<e,t>) {})", room(color))
+}
+
+fn first(step: &str, then: &str) -> String {
+    format!("(until:<t,<t,<p,p>>> true:t {step} {then})")
+}
+
+fn never(what: &str, task: &str) -> String {
+    format!("(all:<p*,p> (always:<t,p> (not:<t,t> {what})) {task})")
+}
+
+#[test]
+fn a_task_over_time_is_planned_and_each_state_says_how_many_steps_are_done() {
+    let mut engine = Engine::new();
+    let there_and_back = first(&inside("blue"), &first(&inside("red"), "done:p"));
+    let plan = planned(&mut engine, &there_and_back, SURE);
+    assert_eq!((plan.reason.as_deref(), plan.reached, plan.actions.len()), (None, true, 7));
+    assert_eq!(plan.done, [0, 0, 0, 0, 0, 1, 1, 2]);
+    // What the cells are worth is asked for the step that is next.
+    let there = |engine: &mut Engine<Talker>, done: u8| {
+        let asked = Request::Values { state: plan.states[5].clone(), done };
+        let Some(Event::Values(map)) = pump(engine, 2, asked).pop() else { panic!("no map") };
+        let west = |cell: &&groundling::worker::protocol::CellValue| (cell.x, cell.y) == (2, 2);
+        map.cells.iter().find(west).unwrap().goal
+    };
+    assert_eq!([there(&mut engine, 0), there(&mut engine, 1)], [false, true]);
+}
+
+#[test]
+fn what_leaves_no_way_is_named_and_can_be_done_without() {
+    let mut engine = Engine::new();
+    let task = never(&inside("red"), &first(&inside("blue"), "done:p"));
+    // The robot stands in the red room: once outside, not again.
+    let plan = planned(&mut engine, &task, SURE);
+    assert_eq!(plan.reason.as_deref(), Some("already_broken"));
+    let instead = plan.instead.unwrap();
+    assert_eq!(instead.demands.len(), 1);
+    let plan = planned(&mut engine, &instead.reading.form, SURE);
+    assert_eq!((plan.reason.as_deref(), plan.reached, plan.actions.len()), (None, true, 5));
+    // There and back, and never in the blue room again.
+    let task = never(&inside("blue"), &first(&inside("blue"), "done:p"));
+    let plan = planned(&mut engine, &task, SURE);
+    assert_eq!(plan.reason.as_deref(), Some("unreachable"));
+    let instead = plan.instead.unwrap();
+    assert_eq!(instead.reading.form, printed(&first(&inside("blue"), "done:p")));
+    assert!(planned(&mut engine, &instead.reading.form, SURE).reached);
+}
+
+/// A form as it is printed.
+fn printed(text: &str) -> String {
+    let mut terms = groundling::logic::Terms::new();
+    let term = groundling::logic::read(&mut terms, text).unwrap();
+    groundling::logic::print(&terms, term)
 }

@@ -22,6 +22,12 @@ pub(super) fn claim(told: &Claim) -> String {
         Claim::Related { nouns, .. } => format!("{} is {}", noun(&nouns[0]), place(told)),
         Claim::Is(property, thing) => format!("{} is {}", noun(thing), property_words(property)),
         Claim::Exists(description) => counted("a", description),
+        Claim::Then(all) => all.iter().map(claim).collect::<Vec<_>>().join(", then "),
+        Claim::Never(inner) => match related(inner) {
+            Some((_, nouns)) => format!("{} is never {}", noun(&nouns[0]), place(inner)),
+            None => format!("at no time {}", claim(inner)),
+        },
+        Claim::Until(both) => format!("{}, and until then {}", claim(&both[1]), claim(&both[0])),
         Claim::Formula(formula) => format!("this holds: {formula}"),
     }
 }

@@ -15,7 +15,25 @@ pub(super) fn deed(told: &Claim) -> String {
         None => all.iter().map(deed).collect::<Vec<_>>().join(&format!(", {word} ")),
     };
     match told {
-        Claim::All(claims) => return all(claims, "and"),
+        // What is never to be is said behind what is to be done.
+        Claim::All(claims) => {
+            let (never, rest): (Vec<Claim>, Vec<Claim>) =
+                claims.iter().cloned().partition(|one| matches!(one, Claim::Never(_)));
+            let never = never.iter().map(deed).map(|never| format!(", but {never}"));
+            return all(&rest, "and") + &never.collect::<String>();
+        }
+        Claim::Then(claims) => {
+            return claims.iter().map(deed).collect::<Vec<_>>().join(", then ");
+        }
+        Claim::Never(inner) => {
+            return match related(inner) {
+                Some(("in", [Noun::Robot, place])) => format!("never enter {}", name(place)),
+                _ => format!("see to it that {}", claim(told)),
+            };
+        }
+        Claim::Until(both) => {
+            return format!("{}, and until then {}", deed(&both[1]), deed(&both[0]));
+        }
         Claim::Any(claims) => return all(claims, "or"),
         _ => {}
     }

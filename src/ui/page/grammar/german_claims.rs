@@ -31,7 +31,27 @@ pub(super) fn claim(told: &Claim) -> String {
             format!("{} ist {}", noun(thing, Nominative), adjective(property))
         }
         Claim::Exists(description) => counted(false, description),
+        Claim::Then(all) => {
+            let (first, next) = all.split_at(all.len().min(1));
+            let next = next.iter().map(|told| format!(", dann {}", inverted(told)));
+            first.iter().map(claim).chain(next).collect()
+        }
+        Claim::Never(inner) => match related(inner) {
+            Some((_, nouns)) => format!("{} ist nie {}", noun(&nouns[0], Nominative), place(inner)),
+            None => format!("nie gilt: {}", claim(inner)),
+        },
+        Claim::Until(both) => {
+            format!("{}, und bis dahin {}", claim(&both[1]), inverted(&both[0]))
+        }
         Claim::Formula(formula) => format!("es gilt: {formula}"),
+    }
+}
+
+/// "ist der Roboter im blauen Raum": a claim behind a word that goes before its verb.
+fn inverted(told: &Claim) -> String {
+    match related(told).or_else(|| denied(told)) {
+        Some((_, nouns)) => format!("ist {} {}", noun(&nouns[0], Nominative), place(told)),
+        None => format!("gilt: {}", claim(told)),
     }
 }
 

@@ -17,7 +17,25 @@ pub(super) fn deed(told: &Claim) -> String {
         None => all.iter().map(deed).collect::<Vec<_>>().join(&format!(" {word} ")),
     };
     match told {
-        Claim::All(claims) => return all(claims, "und"),
+        // What is never to be is said behind what is to be done.
+        Claim::All(claims) => {
+            let (never, rest): (Vec<Claim>, Vec<Claim>) =
+                claims.iter().cloned().partition(|one| matches!(one, Claim::Never(_)));
+            let never = never.iter().map(deed).map(|never| format!(", aber {never}"));
+            return all(&rest, "und") + &never.collect::<String>();
+        }
+        Claim::Then(claims) => {
+            return claims.iter().map(deed).collect::<Vec<_>>().join(", dann ");
+        }
+        Claim::Never(inner) => {
+            return match related(inner) {
+                Some(("in", [Noun::Robot, place])) => format!("nie {} gehen", to("in", place)),
+                _ => format!("dafür sorgen, dass gilt: {}", claim(told)),
+            };
+        }
+        Claim::Until(both) => {
+            return format!("{} und bis dahin {}", deed(&both[1]), deed(&both[0]));
+        }
         Claim::Any(claims) => return all(claims, "oder"),
         _ => {}
     }

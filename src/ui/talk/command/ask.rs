@@ -11,6 +11,7 @@ use crate::ui::talk::state::State;
 use crate::ui::talk::teach::other::in_other_words;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::{Request, WorldRules};
+use std::rc::Rc;
 
 /// Whether a command is being answered, or planned for.
 pub fn is_asking(shared: &Shared) -> bool {
@@ -92,6 +93,26 @@ pub(crate) fn choose(state: &mut State, shared: &mut Shared, reading: usize) {
         said.plan = None;
     }
     (state.command.node, state.command.preview, state.command.link) = (None, None, None);
+    plan_again(state, shared);
+}
+
+/// Does what can be done instead of the last command, from where that came to nothing.
+pub(crate) fn instead(state: &mut State, shared: &mut Shared) {
+    let plan = shared.document.plan().cloned();
+    let Some((plan, instead)) = plan.and_then(|plan| Some((plan.clone(), plan.instead.clone()?)))
+    else {
+        return;
+    };
+    state.settle(shared);
+    shared.record();
+    let world = shared.document.world.clone();
+    let Some(said) = &mut shared.document.said else { return };
+    if plan.reason.as_deref() == Some("broken") {
+        said.world = Rc::new(world);
+    }
+    let answer = Rc::make_mut(&mut said.answer);
+    answer.readings.push(instead.reading);
+    (said.chosen, said.plan) = (answer.readings.len() - 1, None);
     plan_again(state, shared);
 }
 

@@ -1,5 +1,6 @@
 //! What a command was taken to mean: its words, the goal in plain words, and why nothing came of it, with help.
 use super::choices::choices;
+use super::course::course;
 use super::teach::not_taught;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Depth;
@@ -61,6 +62,7 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                     if !live { { deeper(text, shared.depth, act) } }
                 </p>
             }
+            if !asks { { course(state, shared) } }
             if !live { { for told(messages(state, shared)).iter().map(|message| tell(text, message, words, act)) } }
             { choices(state, shared, act) }
             if !live && answered(shared).is_some() {
@@ -160,6 +162,7 @@ const fn kind(help: &Help) -> &'static str {
         Help::Just(_) => "just",
         Help::Teach => "teach",
         Help::Show(_) => "show",
+        Help::Instead(..) => "instead",
         Help::Add(_) => "add",
         Help::Edit => "edit",
         Help::FreeLandmarks => "free-landmarks",

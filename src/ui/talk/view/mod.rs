@@ -5,6 +5,7 @@ mod command;
 mod past;
 mod answer;
 mod choices;
+mod course;
 mod room;
 mod stage;
 mod canvas;

@@ -17,7 +17,9 @@ pub(crate) const fn is_for(request: &Request) -> bool {
 
 /// Looks for a shorter way on, if the plan that is played may be longer than the shortest and nothing else is to be done.
 pub(crate) fn look(state: &State, shared: &mut Shared) {
-    let is_open = shared.document.plan().and_then(|plan| plan.over()).is_some_and(|over| over > 0);
+    // How far a task over time has come no state says.
+    let plan = shared.document.plan().filter(|plan| plan.done.is_empty());
+    let is_open = plan.and_then(|plan| plan.over()).is_some_and(|over| over > 0);
     let playback = state.watch.playback.as_ref().filter(|playback| playback.playing());
     let ahead = (MS / state.watch.speed.step_ms()) as usize;
     let from = playback.and_then(|playback| playback.state(playback.at() + ahead));

@@ -58,6 +58,11 @@ impl Playback {
         self.states.last()
     }
 
+    /// The states up to the one shown.
+    pub fn so_far(&self) -> &[State] {
+        self.states.get(..=self.at).unwrap_or_default()
+    }
+
     /// How many actions have been taken.
     pub fn at(&self) -> usize {
         self.at

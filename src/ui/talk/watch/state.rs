@@ -96,6 +96,8 @@ pub struct Values {
     pub map: std::rc::Rc<ValueMap>,
     /// The world.
     pub of: World,
+    /// Of a task over time: how many of its steps were done.
+    pub done: u8,
 }
 
 impl Watch {

@@ -1,6 +1,7 @@
 //! What the planner is asked for besides the plan: what the cells are worth, and what comes of many runs.
 
-use super::state::Layer;
+use super::course;
+use super::state::{Layer, Values};
 use crate::domain::State as World;
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
@@ -16,11 +17,13 @@ pub(crate) fn look(state: &State, shared: &mut Shared) {
         && (state.watch.shows(Layer::Values) || state.watch.shows(Layer::Arrows))
         && state.watch.has_policy;
     let shown = state.shown(shared);
-    let known = state.watch.values.as_ref().is_some_and(|values| same_around(&values.of, shown));
+    let done = course::done(state, shared);
+    let is_known = |values: &Values| values.done == done && same_around(&values.of, shown);
+    let known = state.watch.values.as_ref().is_some_and(is_known);
     if wanted && !known {
         let shown = shown.clone();
         shared.talker.retain(|request| !matches!(request, Request::Values { .. }));
-        shared.send(Request::Values { state: shown }, false);
+        shared.send(Request::Values { state: shown, done }, false);
     }
 }
 

@@ -15,6 +15,8 @@ pub enum Help {
     Teach,
     /// Points at words, and at what is in question in the room.
     Show(Link),
+    /// Does what asks for less: without these demands or, once they are met, with them.
+    Instead(Vec<Claim>, bool),
     /// Puts a thing into the room, and asks again.
     Add(Look),
     /// Changes the room.

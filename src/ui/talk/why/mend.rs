@@ -32,6 +32,7 @@ pub(crate) fn mend(state: &mut State, shared: &mut Shared, help: Help) {
             learn::typed(state, &command);
             shared.want(Effect::Focus("room"));
         }
+        Help::Instead(..) => ask::instead(state, shared),
         Help::Show(link) => state.command.link = Some(link),
         Help::Add(look) => {
             let added = edit::add_anywhere(state.shown(shared), look);

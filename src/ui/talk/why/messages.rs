@@ -2,6 +2,7 @@
 //! do at the press of a button.
 
 use super::help::Help;
+use super::instead::instead;
 use crate::domain::{Color, Lock, Shape};
 use crate::ui::page::document::Said;
 use crate::ui::page::shared::Shared;
@@ -69,7 +70,7 @@ pub fn messages(state: &State, shared: &Shared) -> Vec<Message> {
     messages
 }
 
-fn message(
+pub(super) fn message(
     kind: &'static str,
     (what, fix): (impl Into<String>, &str),
     link: Option<Link>,
@@ -254,7 +255,11 @@ fn planning(
     reading: Option<&Reading>,
     refers: bool,
 ) -> Option<Message> {
-    let why = &Text::of(shared.language).why;
+    let text = Text::of(shared.language);
+    let why = &text.why;
+    if let Some(message) = instead(text, plan) {
+        return Some(message);
+    }
     let rules = &shared.document.rules;
     let locked = state.shown(shared).doors.iter().any(|door| door.lock != Lock::Unlocked);
     let freeing = [

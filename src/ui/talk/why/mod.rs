@@ -1,5 +1,6 @@
 //! Why a command came to nothing, and what the page can do about it.
 
 pub mod help;
+mod instead;
 pub mod messages;
 pub mod mend;

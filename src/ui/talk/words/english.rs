@@ -89,6 +89,20 @@ pub(super) static ENGLISH: Text = Text {
             "It is understood, but the robot cannot bring it about: a wall, a door or a thing is in the way.",
             "Something may have to give:",
         ),
+        blocked: (
+            |demand| {
+                format!("It is understood, but there is no way while this must hold: {demand}.")
+            },
+            "Something has to give:",
+        ),
+        already_broken: (
+            |demand| format!("This does not hold where I stand now: {demand}."),
+            "I can see to it first, and keep to it from then on.",
+        ),
+        broken: (
+            |demand| format!("I stopped, since this does not hold any more: {demand}."),
+            "Shall I go on?",
+        ),
         plan_budget: (
             "It is understood, but no plan was found within the time allowed.",
             "Make it easier:",
@@ -104,8 +118,8 @@ pub(super) static ENGLISH: Text = Text {
                 quoted(words)
             )
         },
-        half_time: "What comes first and what is passed on the way I do not understand yet. Say one thing at a time.",
-        half_denied: "What must not happen beside something to do I do not understand yet.",
+        half_time: "What comes first here, or is passed on the way, I did not understand. Say it in another way.",
+        half_denied: "What must not happen here I did not understand. Say it in another way.",
         half_other: "See whether the rest is what you meant.",
         keeps: "There is nothing to do, and I will not remember it for later.",
         already_true: (
@@ -120,6 +134,8 @@ pub(super) static ENGLISH: Text = Text {
     help: Helps {
         say: |phrase| format!("Say “{phrase}”"),
         just: "Do just this",
+        without: "Do it without this",
+        once: "Do this first, and keep to it then",
         teach: "Show me what you mean",
         show: "Point at",
         add: |look| format!("Put a {look} there"),
@@ -223,6 +239,8 @@ pub(super) static ENGLISH: Text = Text {
     step_forward: "Step forward",
     step_of_plan: "Step of the plan",
     speed: "Speed",
+    course: "The steps of the task",
+    never: "never: ",
     plan_of: |n| {
         if n == 1 { "A plan of one step".to_owned() } else { format!("A plan of {n} steps") }
     },

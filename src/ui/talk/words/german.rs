@@ -95,6 +95,20 @@ pub(super) static GERMAN: Text = Text {
             "Verstanden, aber der Roboter kann es nicht bewirken: eine Wand, eine Tür oder ein Ding ist im Weg.",
             "Etwas muss vielleicht nachgeben:",
         ),
+        blocked: (
+            |demand| {
+                format!("Verstanden, aber es gibt keinen Weg, solange dies gelten muss: {demand}.")
+            },
+            "Etwas muss nachgeben:",
+        ),
+        already_broken: (
+            |demand| format!("Dies gilt nicht, wo ich jetzt stehe: {demand}."),
+            "Ich kann erst dafür sorgen und mich dann daran halten.",
+        ),
+        broken: (
+            |demand| format!("Ich habe angehalten, denn dies gilt nicht mehr: {demand}."),
+            "Soll ich weitergehen?",
+        ),
         plan_budget: (
             "Verstanden, aber in der erlaubten Zeit fand sich kein Plan.",
             "Mach es leichter:",
@@ -107,8 +121,8 @@ pub(super) static GERMAN: Text = Text {
         nothing_without: |words| {
             format!("Ich müsste {} auslassen, und dann hieße es etwas anderes.", quoted(words))
         },
-        half_time: "Was zuerst kommt und was auf dem Weg liegt, verstehe ich noch nicht. Sag eins nach dem anderen.",
-        half_denied: "Was neben einem Auftrag nicht geschehen darf, verstehe ich noch nicht.",
+        half_time: "Was hier zuerst kommt oder auf dem Weg liegt, habe ich nicht verstanden. Sag es anders.",
+        half_denied: "Was hier nicht geschehen darf, habe ich nicht verstanden. Sag es anders.",
         half_other: "Sieh nach, ob der Rest ist, was du meinst.",
         keeps: "Zu tun ist nichts, und für später merke ich es mir nicht.",
         already_true: (
@@ -123,6 +137,8 @@ pub(super) static GERMAN: Text = Text {
     help: Helps {
         say: |phrase| format!("Sag “{phrase}”"),
         just: "Nur das tun",
+        without: "Ohne das tun",
+        once: "Erst dies, dann dabei bleiben",
         teach: "Zeigen, was gemeint ist",
         show: "Zeig auf",
         add: |look| format!("Hinstellen: {look}"),
@@ -234,6 +250,8 @@ pub(super) static GERMAN: Text = Text {
     step_forward: "Schritt vor",
     step_of_plan: "Schritt des Plans",
     speed: "Tempo",
+    course: "Die Schritte der Aufgabe",
+    never: "nie: ",
     plan_of: |n| {
         if n == 1 {
             "Ein Plan mit einem Schritt".to_owned()

@@ -95,6 +95,12 @@ impl Text {
             Help::Just(claim) => {
                 return format!("{}: {}", helps.just, self.phrases.deed(claim).replace('*', ""));
             }
+            Help::Instead(claims, once) => {
+                let claims: Vec<String> =
+                    claims.iter().map(|one| self.phrases.claim(one)).collect();
+                let words = if *once { helps.once } else { helps.without };
+                return format!("{words}: {}", self.phrases.list(&claims));
+            }
             Help::Teach => helps.teach,
             Help::Edit => helps.edit,
             Help::FreeLandmarks => helps.free_landmarks,
