@@ -102,17 +102,28 @@ impl Planning {
             let reason = if is_lost { "no_referent" } else { "unreachable" };
             return Ok(Begun::Done(Box::new(no_plan(state, reason))));
         }
+        let at = task.world().initial();
+        Ok(Begun::Work(Box::new(Planning::new(task, (at, state), rules.luck, is_hasty))))
+    }
+
+    /// Begins to plan for a task from another state; nothing if that is a state of another world.
+    pub(super) fn go_on(task: Rc<Task>, state: &State) -> Option<Planning> {
+        let at = packed(&task, state)?;
+        Some(Planning::new(task, (at, state), 0, false))
+    }
+
+    fn new(task: Rc<Task>, (at, state): (Packed, &State), luck: u32, is_hasty: bool) -> Self {
+        let first = solver(&task, task.dynamics().quotient(at));
         let run = Run {
-            at: task.world().initial(),
+            at,
             actions: Vec::new(),
             states: vec![state.clone()],
             again: None,
             replans: 0,
-            rng: Pcg64Mcg::seed_from_u64(u64::from(rules.luck)),
+            rng: Pcg64Mcg::seed_from_u64(u64::from(luck)),
             buffer: Vec::new(),
         };
-        let first = solver(&task, task.initial());
-        Ok(Begun::Work(Box::new(Planning { task, first, outcome: None, is_hasty, run, steps: 0 })))
+        Planning { task, first, outcome: None, is_hasty, run, steps: 0 }
     }
 
     /// Does a bounded part; the plan when it is there.
@@ -192,6 +203,12 @@ impl Planning {
             work: Some(progress(&self.first)),
         }
     }
+}
+
+/// A state of the task's world; nothing if it is one of another.
+pub(super) fn packed(task: &Task, state: &State) -> Option<Packed> {
+    let dynamics = task.dynamics();
+    dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)
 }
 
 /// A solver for the task begun in a state.

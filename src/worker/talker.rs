@@ -20,6 +20,8 @@ use std::sync::Arc;
 
 const NO_PLAN: &str = "There is no plan to go by: ask for something first.";
 
+const OTHER_WORLD: &str = "The plan that is kept is for another world: plan again.";
+
 const NO_MODEL: &str = "There is no model yet: train one, or open a model file.";
 
 /// What the talker keeps.
@@ -57,11 +59,19 @@ impl Role for Talker {
             Request::Plan { form, state, rules } => plan(&form, &state, &rules),
             Request::Values { state } => {
                 let planned = self.planned.clone().ok_or(NO_PLAN)?;
-                let mut valuing = Valuing::new(planned, &state)
-                    .ok_or("The plan that is kept is for another world: plan again.")?;
+                let mut valuing = Valuing::new(planned, &state).ok_or(OTHER_WORLD)?;
                 Ok(Box::new(move |_| match valuing.step() {
                     Some(map) => Step::Over(Event::Values(map)),
                     None => Step::Working(None),
+                }))
+            }
+            Request::GoOn { state } => {
+                let planned = self.planned.clone().ok_or(NO_PLAN)?;
+                let mut planning =
+                    Planning::go_on(planned.task.clone(), &state).ok_or(OTHER_WORLD)?;
+                Ok(Box::new(move |_| match planning.step() {
+                    Some(plan) => Step::Over(Event::Planned(Box::new(plan))),
+                    None => Step::Working(planning.news().map(Event::Planning)),
                 }))
             }
             Request::RollOut { runs, seed } => {

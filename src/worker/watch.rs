@@ -1,6 +1,6 @@
 //! What a policy that was found can be asked: what every cell is worth, and what comes of following it many times.
 
-use super::plan::{Planned, Problem, solver};
+use super::plan::{Planned, Problem, packed, solver};
 use super::protocol::{CellValue, Runs, ValueMap};
 use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Packed, State};
@@ -36,9 +36,7 @@ pub(super) struct Valuing {
 impl Valuing {
     /// A map of the world as it is in `state`; nothing if that is a state of another world.
     pub(super) fn new(planned: Rc<Planned>, state: &State) -> Option<Valuing> {
-        let dynamics = planned.task.dynamics();
-        let around =
-            dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)?;
+        let around = packed(&planned.task, state)?;
         let all = planned.all.get().is_none().then(|| {
             let settings = Settings::default().with_budget(u64::MAX, STATES);
             let start = planned.task.initial();

@@ -1,7 +1,7 @@
 // Messages to and from an engine, as far as the flows that measure need them: postcard's form (`protocol/wire.rs`), fields
 // in order without names. A test that reads wrong bytes fails loudly, so nothing here is checked.
 
-const VERSION = 10;
+const VERSION = 11;
 /** Places of the kinds in `Request` and `Event`. */
 const REQUESTS = { plan: 6, values: 7, roll_out: 8 };
 const EVENTS = { 9: 'planning', 10: 'planned', 11: 'values', 12: 'rolling_out', 13: 'rolled_out' };

@@ -127,6 +127,8 @@ fn places_are_tried_before_the_work_and_no_corpus_is_replaced() {
         &["--corpus", SIX, "--out", &at("x"), "--checkpoint", &at("missing/x")],
         "cannot write",
     );
+    let one = ["--corpus", SIX, "--out", &at("x"), "--checkpoint", &at("./x")];
+    refused(&one, "name one file");
     refused(&["--corpus", SIX, "--out", folder.to_str().unwrap()], "cannot write");
     refused(&["--corpus", &at("six.csv"), "--out", &at("./six.csv")], "is read as well");
     refused(

@@ -50,6 +50,11 @@ impl Output {
         matches!(self.place, Place::Standard)
     }
 
+    /// Whether this is the very file that the other is.
+    pub(crate) fn is(&self, other: &Output) -> bool {
+        matches!((&self.place, &other.place), (Place::Whole(one), Place::Whole(two)) if one == two)
+    }
+
     /// As the person names it.
     pub(crate) fn name(&self) -> String {
         self.name.display().to_string()

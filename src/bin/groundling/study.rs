@@ -57,11 +57,11 @@ pub(crate) fn write(
         None if wanted.corpus.is_empty() => {
             return Err(usage("--tasks FILE|all is missing, or --from CORPUS"));
         }
-        None => of_corpus(
-            study,
-            &examples(&wanted.corpus, wanted.rehearsed)?.examples,
-            wanted.rehearsed,
-        ),
+        None => {
+            let rows = examples(&wanted.corpus, wanted.rehearsed)?.examples;
+            // Nothing is drawn but the worked example.
+            made(Making::new(of_corpus(study, &rows, wanted.rehearsed), Vec::new(), PAIRS))?
+        }
         Some(_) if !wanted.corpus.is_empty() || wanted.rehearsed => {
             return Err(usage("--tasks draws pairs, --from brings its own: leave one out"));
         }
@@ -70,21 +70,25 @@ pub(crate) fn write(
             if !(1..=100).contains(&pairs) {
                 return Err(Failure::Usage(format!("--pairs {pairs}: use 1 to 100")));
             }
-            let mut making = Making::new(study, tasks, pairs);
-            let made = loop {
-                if let Some(made) = making.step() {
-                    break made.map_err(|e| Failure::Usage(e.to_string()))?;
-                }
-            };
-            for open in &made.open {
-                // Nobody may be listening there; the pairs are good all the same.
-                let _ = writeln!(io::stderr(), "{open}");
-            }
-            made.study
+            made(Making::new(study, tasks, pairs))?
         }
     };
     let text = study.write();
     Study::read(&text).map_err(|e| Failure::Usage(format!("the study: {e}")))?;
     io::stdout().write_all(text.as_bytes()).map_err(Failure::Output)?;
     Ok(Done::Well)
+}
+
+/// The study, once it is made.
+fn made(mut making: Making) -> Result<Study, Failure> {
+    let made = loop {
+        if let Some(made) = making.step() {
+            break made.map_err(|e| Failure::Usage(e.to_string()))?;
+        }
+    };
+    for open in &made.open {
+        // Nobody may be listening there; the pairs are good all the same.
+        let _ = writeln!(io::stderr(), "{open}");
+    }
+    Ok(made.study)
 }

@@ -72,6 +72,11 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
     let out = Output::at(&out, inputs())?;
     let checkpoint = options.checkpoint.as_deref();
     let checkpoint = checkpoint.map(|path| Output::at(path, inputs())).transpose()?;
+    if checkpoint.as_ref().is_some_and(|checkpoint| checkpoint.is(&out)) {
+        return Err(Failure::Usage(
+            "--out and --checkpoint name one file: give the model another name".to_owned(),
+        ));
+    }
     let mapping = options.mapping.as_deref().map(mapping).transpose()?;
     let admitted = Admitted {
         with_rejected: options.with_rejected,

@@ -14,7 +14,7 @@ use std::rc::Rc;
 
 /// How far something is.
 pub fn progressed(state: &mut State, shared: &Shared, event: Event) {
-    let is_ahead = shared.talker.is_at(|request| ahead::is_for(shared, request));
+    let is_ahead = shared.talker.is_at(ahead::is_for);
     match event {
         Event::Planning(_) if is_ahead => {}
         Event::Planning(progress) => state.watch.report(progress),
@@ -25,13 +25,9 @@ pub fn progressed(state: &mut State, shared: &Shared, event: Event) {
 
 /// A request has been answered.
 pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event: Event) {
-    if ahead::is_for(shared, &request) {
-        if let Event::Planned(way) = event {
-            ahead::came(state, shared, &way);
-        }
-        return;
-    }
     match (event, request) {
+        (Event::Planned(way), Request::GoOn { .. }) => ahead::came(state, shared, &way),
+        (_, Request::GoOn { .. }) => {}
         (Event::Answer(answer), Request::Read { .. })
             if wonder::was_read(state, shared, &answer) => {}
         (Event::Answer(answer), Request::Read { .. }) => answer::was_read(state, shared, *answer),

@@ -122,6 +122,12 @@ pub enum Request {
         /// The world.
         state: State,
     },
+    /// Plans on from a state that the plan which is kept leads through, for what its goal meant at first →
+    /// [`Event::Planning`](super::Event::Planning) now and then, then [`Event::Planned`](super::Event::Planned). The policy that is kept stays.
+    GoOn {
+        /// The state of the world.
+        state: State,
+    },
     /// The states of one row of the sheet → [`Event::Row`](super::Event::Row).
     ShowRow {
         /// Index into the sheet.
@@ -317,7 +323,8 @@ impl Request {
             | Request::Example { .. }
             | Request::Draw { .. }
             | Request::ReadWorld { .. }
-            | Request::WriteWorld { .. } => Some(Program::Talker),
+            | Request::WriteWorld { .. }
+            | Request::GoOn { .. } => Some(Program::Talker),
             Request::Pause
             | Request::Resume
             | Request::StepExample

@@ -74,6 +74,7 @@ fn a_study_is_made_taken_and_reviewed() {
     let text = String::from_utf8(made.stdout).unwrap();
     let study = Study::read(&text).unwrap();
     assert_eq!((study.items.len(), study.asked), (6, Some(2)));
+    assert!(study.words.example.is_some(), "rows bring no worked example: one is drawn");
     let (file, given) = (place("six-study.json"), place("six-answers.jsonl"));
     std::fs::write(&file, &text).unwrap();
     std::fs::write(&given, answer::lines(&answers(&study, 0..5))).unwrap();

@@ -28,7 +28,16 @@ fn questions_are_told_from_commands() {
     assert_eq!(about("what is the biggest room?"), is(Query::Name, "go to the biggest room"));
     assert_eq!(about("which room is the smallest"), is(Query::Name, "go to the smallest room"));
     assert_eq!(about("what color is the block"), is(Query::Name, "go to the block"));
+    assert_eq!(about("wheres the block?"), is(Query::Where, "go to the block"));
+    assert_eq!(about("tell me where the block is"), is(Query::Where, "go to the block"));
+    assert_eq!(about("can you see the block?"), is(Query::Where, "go to the block"));
+    for greeting in ["hello", "Hi robot!", "hi robot, how are you?", "thanks"] {
+        assert_eq!(about(greeting), is(Query::Can, ""), "{greeting}");
+    }
     for question in [
+        "should i go to the red room?",
+        "did you go to the red room?",
+        "do you like the red room?",
         "who made you?",
         "why not",
         "is the door locked?",
@@ -40,6 +49,9 @@ fn questions_are_told_from_commands() {
     for command in [
         "go to the blue room",
         "can you go to the blue room?",
+        "hello robot, go to the blue room",
+        "hide the block",
+        "have the robot go to the blue room",
         "take it where you want",
         "when you are ready go to the blue room",
         "how about going to the red room",

@@ -122,6 +122,7 @@ fn requests() -> Vec<Request> {
         Request::Ask { command: "go".to_owned(), state: state.clone(), rules },
         Request::Plan { form: "p:t".to_owned(), state: state.clone(), rules },
         Request::Values { state: state.clone() },
+        Request::GoOn { state: state.clone() },
         Request::RollOut { runs: 100, seed: 7 },
         Request::Demonstrate { command, state, settings: settings(2) },
         Request::Cancel,
@@ -131,7 +132,7 @@ fn requests() -> Vec<Request> {
 
 #[test]
 fn requests_come_back_from_the_wire() {
-    come_back(&requests(), 19);
+    come_back(&requests(), 20);
 }
 
 #[test]

@@ -33,10 +33,11 @@ fn meant(event: &KeyboardEvent) -> Option<Meant> {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
     let is_writing = target.is_some_and(|target| is_writing(&target));
     let command = event.ctrl_key() || event.meta_key();
-    match &*event.key() {
+    // Caps Lock makes a capital of every letter.
+    match &*event.key().to_lowercase() {
         _ if is_writing || event.alt_key() => None,
-        "z" if command => Some(Meant::Do(Action::Undo)),
-        "Z" | "y" if command => Some(Meant::Do(Action::Redo)),
+        "z" if command && !event.shift_key() => Some(Meant::Do(Action::Undo)),
+        "z" | "y" if command => Some(Meant::Do(Action::Redo)),
         "?" if !command => Some(Meant::Help),
         _ => None,
     }

@@ -9,17 +9,12 @@ use crate::ui::page::shared::Shared;
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::other::in_other_words;
-use crate::ui::talk::watch::ahead;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::{Request, WorldRules};
 
 /// Whether a command is being answered, or planned for.
 pub fn is_asking(shared: &Shared) -> bool {
-    shared.talker.is_at(|request| match request {
-        Request::Ask { .. } => true,
-        Request::Plan { .. } => !ahead::is_for(shared, request),
-        _ => false,
-    })
+    shared.talker.is_at(|r| matches!(r, Request::Ask { .. } | Request::Plan { .. }))
 }
 
 /// The readings to choose from, as places, while the last command waits for that.

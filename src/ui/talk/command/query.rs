@@ -22,7 +22,7 @@ pub enum Query {
 }
 
 /// How questions begin, the longer before the shorter.
-const HEADS: [(&str, Query); 45] = [
+const HEADS: [(&str, Query); 59] = [
     ("which room is the biggest", Query::Name),
     ("which room is the smallest", Query::Name),
     ("which room is the largest", Query::Name),
@@ -30,6 +30,10 @@ const HEADS: [(&str, Query); 45] = [
     ("what room is ", Query::Where),
     ("where is ", Query::Where),
     ("where's ", Query::Where),
+    ("wheres ", Query::Where),
+    ("tell me where ", Query::Where),
+    ("do you see ", Query::Where),
+    ("can you see ", Query::Where),
     ("where are ", Query::Where),
     ("where am ", Query::Where),
     ("what is in here", Query::World),
@@ -53,6 +57,11 @@ const HEADS: [(&str, Query); 45] = [
     ("what can you do", Query::Can),
     ("what can i say", Query::Can),
     ("what can i do", Query::Can),
+    ("do you understand", Query::Can),
+    ("how are you", Query::Can),
+    ("who are you", Query::Can),
+    ("thanks", Query::Can),
+    ("thank you", Query::Can),
     ("help", Query::Can),
     ("how many ", Query::Count),
     ("is there ", Query::Is),
@@ -68,17 +77,31 @@ const HEADS: [(&str, Query); 45] = [
     ("when ", Query::Else),
     ("how ", Query::Else),
     ("does ", Query::Else),
+    ("did ", Query::Else),
+    ("do you ", Query::Else),
+    ("do i ", Query::Else),
+    ("should ", Query::Else),
+    ("shall ", Query::Else),
 ];
 
 /// How a command may begin, too, and does unless it asks: *when you are ready, …*.
 const MAY_COMMAND: [&str; 2] = ["when ", "where "];
 /// How a command begins, though it asks.
 const COMMANDS: [&str; 2] = ["how about ", "what about "];
+/// How one is greeted before what is meant.
+const GREETINGS: [&str; 6] = ["hi robot", "hello robot", "hey robot", "hi", "hello", "hey"];
 
 /// The question that a sentence is, with the command whose phrase it is about; nothing for what is no question.
 pub fn query(sentence: &str) -> Option<(Query, String)> {
     let asks = sentence.trim_end().ends_with('?');
     let bare = sentence.trim().trim_end_matches(['?', '.', '!', ' ']).to_ascii_lowercase();
+    if GREETINGS.contains(&&*bare) {
+        return Some((Query::Can, String::new()));
+    }
+    let bare = GREETINGS
+        .iter()
+        .find_map(|greeting| bare.strip_prefix(greeting)?.strip_prefix([',', ' ']))
+        .map_or(bare.clone(), |rest| rest.trim_start().to_owned());
     let has = |heads: &[&str]| heads.iter().any(|head| bare.starts_with(head));
     if has(&COMMANDS) {
         return None;
@@ -102,7 +125,11 @@ pub fn query(sentence: &str) -> Option<(Query, String)> {
             false => format!("go to {}", object(&the(about))),
         },
         Query::Where | Query::Inside => {
-            format!("go to {}", object(about.strip_suffix(" in").unwrap_or(about)))
+            let about = [" in", " is", " are"]
+                .iter()
+                .find_map(|end| about.strip_suffix(end))
+                .unwrap_or(about);
+            format!("go to {}", object(about))
         }
         Query::Count => {
             let what = about.split(" are ").next().unwrap_or(about);

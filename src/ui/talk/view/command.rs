@@ -1,5 +1,6 @@
 //! The command box, and commands to try.
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::host::element;
 use crate::ui::page::view::notice::notice;
 use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
@@ -7,6 +8,7 @@ use crate::ui::talk::command::ask::is_asking;
 use crate::ui::talk::command::offer::{Examples, KINDS};
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
+use wasm_bindgen::JsCast;
 use web_sys::{HtmlInputElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, KeyboardEvent, TargetCast, classes, html};
 
@@ -15,6 +17,11 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
     let text = Text::of(shared.language);
     let send = act.reform(|event: SubmitEvent| {
         event.prevent_default();
+        // What is typed next takes its place.
+        if let Some(input) = element("command").and_then(|e| e.dyn_into::<HtmlInputElement>().ok())
+        {
+            input.select();
+        }
         Action::Ask
     });
     let typed = act.reform(|event: InputEvent| {

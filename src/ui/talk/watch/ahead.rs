@@ -10,10 +10,9 @@ use std::rc::Rc;
 /// Milliseconds that the planner has before the robot is there.
 const MS: u32 = 3_000;
 
-/// Whether a request is for a way on: other plans begin in the world that the command was said in.
-pub(crate) fn is_for(shared: &Shared, request: &Request) -> bool {
-    let said = shared.document.said.as_ref();
-    matches!(request, Request::Plan { state, .. } if said.is_none_or(|said| *said.world != *state))
+/// Whether a request is for a way on.
+pub(crate) const fn is_for(request: &Request) -> bool {
+    matches!(request, Request::GoOn { .. })
 }
 
 /// Looks for a shorter way on, if the plan that is played may be longer than the shortest and nothing else is to be done.
@@ -22,10 +21,9 @@ pub(crate) fn look(state: &State, shared: &mut Shared) {
     let playback = state.watch.playback.as_ref().filter(|playback| playback.playing());
     let ahead = (MS / state.watch.speed.step_ms()) as usize;
     let from = playback.and_then(|playback| playback.state(playback.at() + ahead));
-    let (Some(from), Some(reading)) = (from, shared.document.reading()) else { return };
-    if is_open && !state.watch.is_best && !shared.talker.is_at(|_| true) {
-        let (form, state, rules) = (reading.form.clone(), from.clone(), shared.document.rules);
-        shared.send(Request::Plan { form, state, rules }, false);
+    let is_asked = is_open && state.watch.has_policy && !state.watch.is_best;
+    if let Some(from) = from.filter(|_| is_asked && !shared.talker.is_at(|_| true)) {
+        shared.send(Request::GoOn { state: from.clone() }, false);
     }
 }
 
@@ -57,7 +55,7 @@ pub(crate) fn came(state: &mut State, shared: &mut Shared, way: &PlanText) {
 /// Something else is to be done: nothing is looked for.
 pub(crate) fn end(shared: &mut Shared) {
     let pending = shared.talker.pending.as_ref();
-    if pending.is_some_and(|pending| is_for(shared, &pending.request)) {
+    if pending.is_some_and(|pending| is_for(&pending.request)) {
         shared.cancel(Program::Talker);
     }
 }
