@@ -1,9 +1,9 @@
 //! A task over time on its way to a plan: how many of its steps are done along the run, and what else could be done where
 //! what it demands on the way leaves none.
 
-use super::plan::{Problem, solver};
 use super::protocol::{Instead, Reading};
 use super::read::plain;
+use super::solving::{Problem, STEPS, solver};
 use crate::domain::{Rules, State};
 use crate::ground::relax::{after, demands, once, without};
 use crate::ground::{Course, Goal, GoalError, Undertaking, claim};
@@ -48,7 +48,7 @@ impl Timed {
     /// could be done instead.
     pub(super) fn relax(&mut self, state: &State, rules: Rules) -> Option<Option<Box<Instead>>> {
         if let Some((demands, mut solver)) = self.trying.take() {
-            match solver.step(super::plan::STEPS) {
+            match solver.step(STEPS) {
                 None => self.trying = Some((demands, solver)),
                 Some(Outcome::Solved) => return Some(self.instead(&demands, state, without)),
                 Some(_) => {}

@@ -2,6 +2,7 @@
 //! the page's workers, tests and benches alike.
 
 pub mod protocol;
+mod solving;
 mod plan;
 mod course;
 mod watch;

@@ -3,35 +3,27 @@
 
 use super::course::Timed;
 use super::protocol::{Instead, PlanProgress, PlanText, WorldRules};
+use super::solving::{Problem, STEPS, solver};
 use crate::domain::{Action, Chances, Form, Movable, NotAProbability, Packed, Rules, State};
 use crate::ground::{ErrandError, Goal, GoalError, Task, TaskError, Undertaking};
 use crate::logic::{ReadError, Terms, read, ty};
-use crate::mdp::{Mdp, Outcome, Policy, Settings, Solver, StartingAt, sample};
+use crate::mdp::{Mdp, Outcome, Policy, Solver, sample};
 use crate::plan::{Auto, ValueIteration};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-/// Steps of the solver in a step of the job.
-pub(super) const STEPS: usize = 500;
 /// Actions in a step of the job.
 const ACTIONS: usize = 200;
 /// Steps of the job from one report to the next.
 const REPORT: u32 = 16;
-/// What the page's planner may spend: some tens of seconds, and a few hundred megabytes at most.
-const BUDGET: (u64, usize) = (20_000_000, 1_500_000);
-/// The same where nothing is left to chance, and a plan is there at once: about a second.
-const SURE: u64 = 250_000;
 /// So much is spent on a plan that is to be walked soon, if there is one by then: a tenth of that.
 const SOON: u64 = 25_000;
 /// A run that takes more actions is given up.
 const MOST_ACTIONS: usize = 2_000;
 /// A robot that has thought again so often is lost.
 const MOST_REPLANS: u32 = 20;
-
-/// A task, shared by its solvers.
-pub(super) type Problem = StartingAt<Rc<Undertaking>>;
 
 /// Why there is nothing to plan.
 #[derive(Debug, thiserror::Error)]
@@ -301,13 +293,6 @@ impl Planned {
         let stage = self.stages.iter().find(|&&(steps, _)| steps == done);
         stage.map_or(state, |&(_, stage)| state.marked(stage))
     }
-}
-
-/// A solver for the task begun in a state.
-pub(super) fn solver(task: &Rc<Undertaking>, start: Packed) -> Auto<Problem> {
-    let steps = if task.is_deterministic() { SURE } else { BUDGET.0 };
-    let settings = Settings::default().with_budget(steps, BUDGET.1);
-    Auto::new(StartingAt::new(task.clone(), start), settings)
 }
 
 /// No plan: the world stays as it is.

@@ -1,7 +1,8 @@
 //! What a policy that was found can be asked: what every cell is worth, and what comes of following it many times.
 
-use super::plan::{Planned, Problem, packed, solver};
+use super::plan::{Planned, packed};
 use super::protocol::{CellValue, Runs, ValueMap};
+use super::solving::{Problem, STEPS, solver};
 use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Packed, State};
 use crate::ground::Undertaking;
@@ -12,8 +13,6 @@ use crate::mdp::{
 use crate::plan::{Auto, ValueIteration};
 use std::rc::Rc;
 
-/// States that are worked out in a step of the job.
-const STEPS: usize = 500;
 /// Most states that are worked out: some twenty megabytes, and a fraction of a second in a page.
 const STATES: usize = 100_000;
 /// Places of the map in a step of the job.

@@ -44,7 +44,8 @@ use groundling::ui::page::keep::ask::Ask;
 use groundling::ui::page::language::Language;
 use groundling::ui::page::world::WORLDS;
 use groundling::ui::talk::Action as Talk;
-use groundling::ui::talk::why::messages::{Message, messages};
+use groundling::ui::talk::why::message::Message;
+use groundling::ui::talk::why::messages::messages;
 use groundling::worker::protocol::{
     Answer, Article, Claim, Description, Envelope, Event, Fate, Noun, PairText, PlanProgress,
     PlanText, Program, Reading, Request, TeachReport, TrainReport, VERSION, Why, Word,

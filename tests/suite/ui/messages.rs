@@ -8,7 +8,7 @@ use groundling::ui::talk;
 use groundling::ui::talk::room::edit::Look;
 use groundling::ui::talk::room::state::Mode;
 use groundling::ui::talk::why::help::Help;
-use groundling::ui::talk::why::messages::Message;
+use groundling::ui::talk::why::message::Message;
 use groundling::worker::protocol::{
     Answer, Article, Description, Event, Fate, Noun, Phrase, Referent, Refers, Request, Word,
 };

@@ -1,7 +1,7 @@
 //! What a task over time demands on the way where that leaves none, and what can be done instead.
 
 use super::help::Help;
-use super::messages::{Message, message};
+use super::message::{Message, message};
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::PlanText;
 

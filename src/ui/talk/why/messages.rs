@@ -3,6 +3,7 @@
 
 use super::help::Help;
 use super::instead::instead;
+use super::message::{Message, message};
 use crate::domain::{Color, Lock, Shape};
 use crate::ui::page::document::Said;
 use crate::ui::page::shared::Shared;
@@ -18,21 +19,6 @@ use crate::worker::protocol::{
 
 /// Help that is offered at most so often for one phrase.
 const MOST_HELPS: usize = 4;
-
-/// One thing that is wrong, or worth knowing.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Message {
-    /// Its kind: names the message in tests and styles.
-    pub kind: &'static str,
-    /// What is wrong.
-    pub what: String,
-    /// What to do about it.
-    pub fix: String,
-    /// The words that it is about.
-    pub link: Option<Link>,
-    /// What the page can do.
-    pub helps: Vec<Help>,
-}
 
 /// Everything worth telling about the answer that is shown, in the order in which the command went wrong; empty when
 /// it was understood and there is a plan to play.
@@ -68,15 +54,6 @@ pub fn messages(state: &State, shared: &Shared) -> Vec<Message> {
         messages.extend(planning(state, shared, plan, reading, refers));
     }
     messages
-}
-
-pub(super) fn message(
-    kind: &'static str,
-    (what, fix): (impl Into<String>, &str),
-    link: Option<Link>,
-    helps: Vec<Help>,
-) -> Message {
-    Message { kind, what: what.into(), fix: fix.to_owned(), link, helps }
 }
 
 fn parsing(text: &Text, answer: &Answer) -> Option<Message> {
