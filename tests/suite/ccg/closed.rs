@@ -264,7 +264,7 @@ fn what_is_heard_otherwise_is_said() {
             "shove the settee into the violet rooom",
             vec![((2, 3), "chair"), ((5, 6), "violet"), ((6, 7), "room")],
         ),
-        ("go to the dark green room", vec![((3, 5), "darkgreen")]),
+        ("go to the dark green room", vec![((3, 5), "green")]),
         ("aviod the red room", vec![((0, 1), "avoid")]),
     ] {
         let parse = asked(&mut model, command);

@@ -245,7 +245,7 @@ fn tasks_over_time_are_said_in_plain_words() {
         (
             Claim::Until(Box::new([Claim::Not(Box::new(in_room("blue"))), in_room("red")])),
             [
-                "The robot is in the red room, and until then the robot is not in the blue room.",
+                "The robot is in the red room, and until then the robot is outside the blue room.",
                 "go to *the red room*, and until then stay out of *the blue room*",
                 "Der Roboter ist im roten Raum, und bis dahin ist der Roboter nicht im blauen Raum.",
                 "in *den roten Raum* gehen und bis dahin *dem blauen Raum* fernbleiben",
