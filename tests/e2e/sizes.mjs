@@ -8,11 +8,12 @@ import zlib from 'node:zlib';
 
 const KB = 1000;
 const LIMITS = [
-  { what: 'first view', most: 400 * KB, counts: (kind) => kind === 'first' || kind === 'base' },
+  // Aim: 400, which it held until goals in time came: reading them, planning for them and telling of them weigh 31.
+  { what: 'first view', most: 430 * KB, counts: (kind) => kind === 'first' || kind === 'base' },
   { what: 'models', most: 150 * KB, counts: (kind) => kind === 'model' },
-  // Aim: 1,800. The workbench and what it asks of the learner came on top of it, what it keeps, studies, and driving a
-  // robot (200).
-  { what: 'everything the app can load', most: 2540 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
+  // Aim: 1,800. The workbench and what it asks of the learner came on top of it, what it keeps, studies, driving a
+  // robot (200), and goals in time.
+  { what: 'everything the app can load', most: 2640 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
   // A page of its own, for people who take part in a study: it loads these and nothing else.
   { what: 'first view of collect.html', most: 200 * KB, counts: (kind) => kind === 'collect' || kind === 'base' },
   // Another of its own; the engine that talks comes when it is wanted.
