@@ -29,6 +29,9 @@ async function keptRun(demo, name, text, passes) {
   await demo.part('run');
 }
 
+/** So many that the run outlasts what is done to it, on a fast machine, too. */
+const PASSES = 120;
+
 /** How far the run is: the pass and the command. */
 async function reached(demo) {
   const words = await demo.by('progress').textContent();
@@ -40,7 +43,7 @@ flow('a run goes on after a reload and after a closed tab, to the same bytes', {
   t.expect(/ERR_ABORTED/);
   const corpus = many(200);
   const demo = await openTrain(t);
-  await keptRun(demo, 'mine.csv', corpus, 25);
+  await keptRun(demo, 'mine.csv', corpus, PASSES);
   await t.until('it is in its second pass', async () => (await reached(demo)) > 2e6, 60);
   const before = await reached(demo);
   await demo.page.reload();
@@ -58,7 +61,7 @@ flow('a run goes on after a reload and after a closed tab, to the same bytes', {
   try {
     const [file, out] = ['mine.csv', 'a.model'].map((name) => path.join(folder, name));
     await writeFile(file, corpus);
-    const { status, stderr } = await t.groundling('train', '--corpus', file, '--epochs', '25', '--out', out);
+    const { status, stderr } = await t.groundling('train', '--corpus', file, '--epochs', `${PASSES}`, '--out', out);
     await t.equal(status, 0, stderr);
     await t.check(async () => (await readFile(out, 'utf8')) === model, 'the model is that of a run that nothing stopped');
   } finally {

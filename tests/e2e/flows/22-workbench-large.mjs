@@ -40,6 +40,7 @@ flow('a hundred thousand rows are opened, looked through and searched', { second
   const longest = tasks.reduce((a, b) => (a.cpu > b.cpu ? a : b));
   t.note(`the page's longest task: ${longest.cpu.toFixed(1)} ms of CPU`);
   await t.check(async () => /100,?000/.test(await demo.by('corpus-count').textContent()), async () => demo.by('corpus-count').textContent());
+  await t.check(async () => (await demo.by('row').count()) > 10, 'its rows are drawn');
   await demo.by('rows').focus();
   await demo.page.keyboard.press('End');
   await demo.page.locator('#row-99999').waitFor();

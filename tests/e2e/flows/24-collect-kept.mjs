@@ -180,7 +180,8 @@ flow('what somebody answered is listed with all that is kept, saved and deleted'
   const person = await takePart(t, LINK);
   await person.begin();
   await person.answer('one');
-  const demo = await openPage(t, `${t.address}#kept`);
+  const demo = await openPage(t);
+  await demo.press('view-kept');
   const row = demo.by('kept-item').filter({ hasText: 'What you answered in a study' });
   await row.waitFor();
   const notes = await demo.saved('export');

@@ -42,11 +42,17 @@ pub(super) fn Grid(props: &Props) -> Html {
     let height = HEIGHT[usize::from(sheet.is_small())];
     let node = use_node_ref();
     let (top, count) = table.sight;
-    use_effect_with((top, node.clone()), move |(top, node)| {
+    let in_sight = move |grid: &Element| grid.client_height().max(0) as u32 / height + 1;
+    let told = act.clone();
+    use_effect_with((top, count, node.clone()), move |(top, count, node)| {
         if let Some(grid) = node.cast::<Element>() {
             let now = grid.scroll_top() as u32 / height;
             if now != *top {
                 grid.set_scroll_top((*top * height) as i32);
+            }
+            // How many there is room for is known once it is drawn; of what is hidden, never.
+            if grid.client_height() > 0 && in_sight(&grid) != *count {
+                told.emit(Look::Scrolled(*top, in_sight(&grid)));
             }
         }
     });
@@ -55,7 +61,7 @@ pub(super) fn Grid(props: &Props) -> Html {
         Callback::from(move |event: Event| {
             let Some(grid) = event.target_dyn_into::<Element>() else { return };
             let first = grid.scroll_top().max(0) as u32 / height;
-            let seen = grid.client_height().max(0) as u32 / height + 1;
+            let seen = in_sight(&grid);
             if (first, seen) != (top, count) {
                 act.emit(Look::Scrolled(first, seen));
             }
