@@ -67,6 +67,11 @@ export class Demo {
 
   // Talking.
 
+  /** The first reading that says this, wherever it stands among them. */
+  reading(words) {
+    return this.by('reading').filter({ hasText: words }).first();
+  }
+
   /** Types a command and sends it; returns when it has been answered or refused. */
   async ask(command) {
     await this.by('command').fill(command);

@@ -50,7 +50,7 @@ flow('another reading that is chosen is remembered', async (t) => {
   const demo = await openPage(t);
   await demo.deepen('see');
   await demo.ask('take the block to the green room');
-  await demo.by('reading').nth(1).click();
+  await demo.reading('The object is in').click();
   await demo.planned();
   await demo.finish();
   const meant = await demo.plain();

@@ -14,7 +14,7 @@ async function busy(t) {
   await demo.by('learned').waitFor();
   await demo.deepen('see');
   await demo.ask('take the block to the green room');
-  await demo.by('reading').nth(1).click();
+  await demo.reading('The object is in').click();
   await t.until('it is planned for', async () => (await demo.plain()) === 'I will bring the object into the green room.');
   await demo.finish();
   await demo.press('share');
