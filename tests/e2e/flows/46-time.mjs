@@ -32,6 +32,7 @@ const OPEN = RING.replace('rrrrr+bbbbb', 'rrrrr#bbbbb').replace('+ door unlocked
 async function openIn(t, world) {
   const demo = await openPage(t);
   await demo.mode('edit');
+  await demo.page.locator('summary', { hasText: 'Random' }).click();
   await demo.press('world-text');
   await demo.by('drawing').fill(world);
   await demo.press('apply-text');
