@@ -36,7 +36,8 @@ const rules = ({ pull, robot, landmarks_stay, slip, lock, loss, luck }) =>
 
 const BODIES = {
   plan: (body) => [...text(body.form), ...state(body.state), ...rules(body.rules)],
-  values: (body) => state(body.state),
+  // Of no task over time: no step of one is done.
+  values: (body) => [...state(body.state), 0],
   roll_out: (body) => [...whole(body.runs), ...whole(body.seed)],
 };
 
