@@ -30,7 +30,7 @@ async function keptRun(demo, name, text, passes) {
 }
 
 /** So many that the run outlasts what is done to it, on a fast machine, too. */
-const PASSES = 120;
+const PASSES = 300;
 
 /** How far the run is: the pass and the command. */
 async function reached(demo) {
@@ -39,7 +39,7 @@ async function reached(demo) {
   return Number(pass) * 1e6 + Number(command);
 }
 
-flow('a run goes on after a reload and after a closed tab, to the same bytes', { seconds: 240 }, async (t) => {
+flow('a run goes on after a reload and after a closed tab, to the same bytes', { seconds: 400 }, async (t) => {
   t.expect(/ERR_ABORTED/);
   const corpus = many(200);
   const demo = await openTrain(t);
@@ -55,7 +55,7 @@ flow('a run goes on after a reload and after a closed tab, to the same bytes', {
   await second.page.screenshot({ path: path.join(OUT, 'bench-came-back.png') });
   await second.part('run');
   await t.until('it has trained', async () =>
-    (await second.by('trained').count()) > 0 && /trained here on mine\.csv/.test(await second.by('trained').textContent()), 150);
+    (await second.by('trained').count()) > 0 && /trained here on mine\.csv/.test(await second.by('trained').textContent()), 200);
   const model = await second.model();
   const folder = await mkdtemp(path.join(os.tmpdir(), 'groundling-'));
   try {
