@@ -12,9 +12,9 @@ use crate::ui::page::view::worker::Engine;
 use crate::ui::talk;
 use crate::worker::protocol::{Program, decode_said};
 use gloo_timers::callback::Timeout;
-use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{File, Response};
+use wasm_bindgen::JsValue;
+use wasm_bindgen_futures::spawn_local;
+use web_sys::File;
 use yew::Callback;
 
 /// The model that comes with the page, beside it.
@@ -129,7 +129,7 @@ impl Effects {
     fn fetch(&self, name: String, told: fn(Result<String, String>) -> Action) {
         let act = self.act.clone();
         spawn_local(async move {
-            act.emit(told(fetch(&name).await.map_err(|error| host::words(&error))));
+            act.emit(told(host::text(&name).await.map_err(|error| host::words(&error))));
         });
     }
 
@@ -152,18 +152,6 @@ impl Effects {
             Program::Learner => &mut self.learner,
         }
     }
-}
-
-/// The text of a file beside the page.
-async fn fetch(name: &str) -> Result<String, JsValue> {
-    let window = web_sys::window().ok_or("no window")?;
-    let response = JsFuture::from(window.fetch_with_str(&beside(name)?.href())).await?;
-    let response: Response = response.dyn_into()?;
-    if !response.ok() {
-        return Err(JsValue::from_str(&format!("status {}", response.status())));
-    }
-    let text = JsFuture::from(response.text()?).await?;
-    text.as_string().ok_or_else(|| JsValue::from_str("no text"))
 }
 
 /// This very program, for the engine that talks: loaded and compiled once.

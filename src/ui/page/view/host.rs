@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{AddEventListenerOptions, CustomEvent, CustomEventInit, Element, MediaQueryList};
-use web_sys::{HtmlElement, ScrollIntoViewOptions, ScrollLogicalPosition, Url};
+use web_sys::{HtmlElement, Response, ScrollIntoViewOptions, ScrollLogicalPosition, Url};
 use yew::{BaseComponent, Callback};
 
 /// The event that the boot script shows the crash panel on; its detail is the message.
@@ -38,6 +38,18 @@ pub(crate) fn beside(name: &str) -> Result<Url, JsValue> {
     let window = web_sys::window().ok_or("no window")?;
     let base = window.document().ok_or("no document")?.base_uri()?.ok_or("no base address")?;
     Url::new_with_base(name, &base)
+}
+
+/// The text of a file beside the page.
+pub(crate) async fn text(name: &str) -> Result<String, JsValue> {
+    let window = web_sys::window().ok_or("no window")?;
+    let response = JsFuture::from(window.fetch_with_str(&beside(name)?.href())).await?;
+    let response: Response = response.dyn_into()?;
+    if !response.ok() {
+        return Err(JsValue::from_str(&format!("status {}", response.status())));
+    }
+    let text = JsFuture::from(response.text()?).await?;
+    text.as_string().ok_or_else(|| JsValue::from_str("no text"))
 }
 
 /// Scrolls an element into view as little as need be.

@@ -11,9 +11,8 @@ use gloo_timers::callback::Timeout;
 use js_sys::{Object, Reflect};
 use std::cell::RefCell;
 use std::rc::Rc;
-use wasm_bindgen::{JsCast, JsValue};
-use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::Response;
+use wasm_bindgen::JsValue;
+use wasm_bindgen_futures::spawn_local;
 use yew::Callback;
 
 /// The front page, which names the engine that talks.
@@ -130,14 +129,14 @@ impl Effects {
     fn fetch(&self, name: &'static str, told: fn(Result<String, String>) -> Action) {
         let act = self.act.clone();
         spawn_local(async move {
-            act.emit(told(text(name).await.map_err(|error| host::words(&error))));
+            act.emit(told(host::text(name).await.map_err(|error| host::words(&error))));
         });
     }
 }
 
 /// The engine that talks: the front page's program, by the name that it has there.
 async fn talking(told: &Callback<Said>) -> Result<Engine, JsValue> {
-    let page = text(FRONT).await?;
+    let page = host::text(FRONT).await?;
     let (script, program) = named(&page).ok_or("the front page names no program")?;
     let sent = Object::new();
     Reflect::set(&sent, &"script".into(), &beside(script)?.href().into())?;
@@ -145,16 +144,4 @@ async fn talking(told: &Callback<Said>) -> Result<Engine, JsValue> {
     let engine = Engine::spawn(Program::Talker, decode_said, told)?;
     engine.give(&sent)?;
     Ok(engine)
-}
-
-/// The text of a file beside the page.
-async fn text(name: &str) -> Result<String, JsValue> {
-    let window = web_sys::window().ok_or("no window")?;
-    let response = JsFuture::from(window.fetch_with_str(&beside(name)?.href())).await?;
-    let response: Response = response.dyn_into()?;
-    if !response.ok() {
-        return Err(JsValue::from_str(&format!("status {}", response.status())));
-    }
-    let text = JsFuture::from(response.text()?).await?;
-    text.as_string().ok_or_else(|| JsValue::from_str("no text"))
 }
