@@ -24,6 +24,7 @@ flow('a study is drawn in the page, saved, and opened by who takes part', async 
   await demo.by('study-tasks').fill(study);
   await demo.by('study-name').fill('Bags');
   await demo.by('study-pairs').fill('4');
+  await demo.by('study-pairs').blur();
   await demo.press('study-make');
   await told(t, demo, /has 1 tasks/);
   await t.accessible('a study in the workbench');
