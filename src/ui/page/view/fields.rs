@@ -1,7 +1,7 @@
 //! Labelled fields of a form.
 
 use web_sys::{Event, HtmlInputElement, HtmlSelectElement, InputEvent};
-use yew::{AttrValue, Callback, Html, TargetCast, html};
+use yew::{AttrValue, Callback, Html, Properties, TargetCast, component, html, use_state_eq};
 
 /// A number between two others.
 pub(crate) fn number(
@@ -11,16 +11,47 @@ pub(crate) fn number(
     off: bool,
     change: Callback<f64>,
 ) -> Html {
-    let changed = change.reform(move |event: Event| {
-        let input = event.target_dyn_into::<HtmlInputElement>();
-        let written = input.map(|input| input.value_as_number()).filter(|n| n.is_finite());
-        written.unwrap_or(value).clamp(least, most)
-    });
+    html! { <Number {id} {label} {value} {least} {most} {step} {off} {change} /> }
+}
+
+#[derive(Properties, PartialEq)]
+struct NumberProps {
+    id: AttrValue,
+    label: AttrValue,
+    value: f64,
+    least: f64,
+    most: f64,
+    step: f64,
+    off: bool,
+    change: Callback<f64>,
+}
+
+/// What is being typed is the field's own until it is left: a page that is drawn anew meanwhile does not set it back.
+#[component]
+fn Number(props: &NumberProps) -> Html {
+    let &NumberProps { value, least, most, .. } = props;
+    let draft = use_state_eq(|| None::<String>);
+    let typed = {
+        let draft = draft.clone();
+        Callback::from(move |event: InputEvent| {
+            draft.set(event.target_dyn_into::<HtmlInputElement>().map(|input| input.value()));
+        })
+    };
+    let left = {
+        let (draft, change) = (draft.clone(), props.change.clone());
+        Callback::from(move |event: Event| {
+            let input = event.target_dyn_into::<HtmlInputElement>();
+            let written = input.map(|input| input.value_as_number()).filter(|n| n.is_finite());
+            draft.set(None);
+            change.emit(written.unwrap_or(value).clamp(least, most));
+        })
+    };
+    let shown = draft.as_ref().map_or_else(|| value.to_string(), String::clone);
     html! {
-        <label class="field" for={id.clone()}>
-            <span>{ label }</span>
-            <input id={id.clone()} type="number" data-testid={id} value={value.to_string()} min={least.to_string()}
-                max={most.to_string()} step={step.to_string()} disabled={off} onchange={changed} />
+        <label class="field" for={&props.id}>
+            <span>{ &props.label }</span>
+            <input id={&props.id} type="number" data-testid={&props.id} value={shown} min={least.to_string()}
+                max={most.to_string()} step={props.step.to_string()} disabled={props.off} oninput={typed} onchange={left} />
         </label>
     }
 }
