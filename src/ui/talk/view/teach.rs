@@ -8,11 +8,12 @@ use crate::ui::talk::action::Action;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn::is_teaching;
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::Lesson;
+use crate::worker::protocol::{Fit, Lesson};
 use web_sys::{HtmlInputElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The lesson in preparation.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let teach = &state.teach;
@@ -55,11 +56,21 @@ pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> 
 
 /// What came of the last lesson when it was not learned, with the readings to choose from that fit what was shown.
 pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
-    let text = Text::of(shared.language);
     let fits = state.teach.offer.as_ref().map_or(&[][..], |offer| &offer.fits);
+    let notice = state.teach.notice.as_deref();
+    if fits.is_empty() && notice.is_none() {
+        Html::default()
+    } else {
+        refused(notice, fits, shared, act)
+    }
+}
+
+#[inline(never)] // It comes late: www/split.mjs.
+fn refused(told: Option<&str>, fits: &[Fit], shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
     html! {
         <>
-            { notice(state.teach.notice.as_deref(), "teach-notice") }
+            { notice(told, "teach-notice") }
             if !fits.is_empty() {
                 <p class="buttons">
                     { for fits.iter().enumerate().map(|(place, fit)| html! {
@@ -74,11 +85,13 @@ pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>)
 
 /// What was taught, and what the last lesson added to the lexicon.
 pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    if shared.document.lessons.is_empty() { Html::default() } else { taught(state, shared, act) }
+}
+
+#[inline(never)] // It comes late: www/split.mjs.
+fn taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let (lessons, teach) = (&shared.document.lessons, &state.teach);
-    if lessons.is_empty() {
-        return Html::default();
-    }
     let added = teach.report.as_ref().map_or(&[][..], |report| &report.added);
     html! {
         <section class="card" aria-labelledby="lessons-title" data-testid="lessons">
