@@ -206,12 +206,19 @@ fn teach(model: &str, lessons: Vec<Lesson>) -> Result<Job<Learner>, String> {
     }))
 }
 
-fn taught(Taught { mut model, entries, understood }: Taught, lessons: &[Lesson]) -> Event {
+fn taught(taught: Taught, lessons: &[Lesson]) -> Event {
+    let Taught { mut model, mut entries, understood } = taught;
     let mut shown = understood.into_iter();
     let (mut understood, mut refusal) = (Vec::new(), None);
     for lesson in lessons {
         let as_shown = !lesson.pairs.is_empty() && shown.next().unwrap_or(false);
-        refusal = mean(&mut model, lesson).err();
+        refusal = match mean(&mut model, lesson) {
+            Ok(name) => {
+                entries.extend(name);
+                None
+            }
+            Err(refusal) => Some(refusal),
+        };
         let is_meant = refusal.is_none() && is_meant(&mut model, lesson);
         understood.push(if lesson.means.is_some() { is_meant } else { as_shown });
     }
