@@ -8,7 +8,7 @@ use crate::ui::talk::action::Action;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn::is_teaching;
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::{Fit, Lesson};
+use crate::worker::protocol::{Fit, Lesson, Meaning};
 use web_sys::{HtmlInputElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, TargetCast, html};
 
@@ -109,6 +109,9 @@ fn taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
                                 onclick={sends(act, Action::AskExample(command.clone()))}>
                                 { &taught.lesson.command }
                             </button>
+                            if let Some(Meaning::Words(words)) = &taught.lesson.means {
+                                <span class="dim" lang="en" data-testid="lesson-means">{ words }</span>
+                            }
                             if !taught.understood { <span class="dim">{ text.not_understood }</span> }
                             <button type="button" class="link" data-testid="unteach"
                                 aria-label={(text.forget_lesson)(&taught.lesson.command)}
