@@ -3,7 +3,9 @@
 
 use super::{only, pump};
 use groundling::domain::text;
-use groundling::worker::protocol::{Event, Lesson, Request, RunText, TeachReport, WorldRules};
+use groundling::worker::protocol::{
+    Event, Lesson, Meaning, Request, RunText, TeachReport, WorldRules,
+};
 use groundling::worker::{Engine, Learner, Talker};
 
 const MODEL: &str = include_str!("../../../assets/model/cleanup.model");
@@ -63,7 +65,7 @@ fn what_is_not_meant_teaches_a_word_that_leads_through() {
     let report = teach(&[driven(command, BY_YELLOW, &[BY_RED])]);
     assert_eq!(report.understood, [true]);
     let other = "go to the red room threading the blue room";
-    assert_eq!(rooms(&report.model.model, other), ["green", "yellow", "blue", "red"]);
+    assert_eq!(rooms(&report.model.model, other), ["green", "red", "blue", "red"]);
 }
 
 #[test]
@@ -86,4 +88,14 @@ fn where_no_way_is_said_the_end_counts() {
 fn what_is_said_of_both_ways_is_not_learned() {
     let report = teach(&[driven("flump to the blue room", BY_YELLOW, &[BY_RED])]);
     assert_eq!((report.understood, report.by_end), (vec![false], false));
+}
+
+#[test]
+fn a_phrase_of_two_steps_is_taught_by_other_words() {
+    let means = Meaning::Words("go to the red room and then to the blue room".to_owned());
+    let command = "do the round".to_owned();
+    let lesson = Lesson { command, pairs: Vec::new(), runs: Vec::new(), means: Some(means) };
+    let report = teach(&[lesson]);
+    assert_eq!((report.understood, report.refusal), (vec![true], None));
+    assert_eq!(rooms(&report.model.model, "do the round"), ["green", "red", "blue"]);
 }

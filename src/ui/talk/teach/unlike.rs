@@ -21,23 +21,22 @@ pub enum Unlike {
     Planned,
 }
 
-/// A way is not what is meant: it is kept as a contrast, and what is meant is shown anew if that was shown.
+/// A way is not what is meant: it is kept as a contrast, and what is meant is shown anew if that was shown. A plan that no
+/// driving follows is only not meant.
 pub(crate) fn unlike(state: &mut State, shared: &mut Shared, which: Unlike) {
     let contrast = match which {
         Unlike::Driven => shared.document.draft.as_ref().and_then(driven),
         Unlike::Straight => state.teach.straight.clone(),
-        Unlike::Planned => planned(state, shared),
+        Unlike::Planned => shared.document.plan().and_then(|plan| driving(&plan.states)),
     };
-    let Some(contrast) = contrast else { return };
-    if which == Unlike::Planned {
-        begin_anew(state, shared);
-    } else {
-        shared.record();
+    match which {
+        Unlike::Planned => begin_anew(state, shared),
+        _ if contrast.is_none() => return,
+        _ => shared.record(),
     }
     let draft = shared.document.draft();
-    if !draft.contrasts.contains(&contrast) {
-        draft.contrasts.push(contrast);
-    }
+    let contrast = contrast.filter(|way| !draft.contrasts.contains(way));
+    draft.contrasts.extend(contrast);
     if which == Unlike::Driven {
         draft.clear();
     }
@@ -50,11 +49,10 @@ pub fn driven(draft: &Draft) -> Option<String> {
     draft.way.clone().filter(|way| !way.is_empty())
 }
 
-/// The plan for what was said, as a way of the robot, once it is made and if driving leads where it did.
-pub fn planned(state: &State, shared: &Shared) -> Option<String> {
-    let is_over = state.command.live.is_none() && !is_asking(shared);
-    let plan = shared.document.plan().filter(|plan| is_over && plan.reached)?;
-    driving(&plan.states)
+/// Whether there is a plan for what was said.
+pub fn is_planned(state: &State, shared: &Shared) -> bool {
+    let plan = shared.document.plan().filter(|_| state.command.live.is_none());
+    plan.is_some_and(|plan| plan.reached && !plan.actions.is_empty() && !is_asking(shared))
 }
 
 /// Where a command was said, what it means is shown; the plan for it is undone.

@@ -12,7 +12,7 @@ use crate::ui::talk::command::link::{Link, holds};
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn::{answered, is_teaching};
-use crate::ui::talk::teach::unlike::{Unlike, planned};
+use crate::ui::talk::teach::unlike::{Unlike, is_planned};
 use crate::ui::talk::why::help::Help;
 use crate::ui::talk::why::message::Message;
 use crate::ui::talk::why::messages::messages;
@@ -71,7 +71,7 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                 <button type="button" class="quiet remember" data-testid="remember" disabled={is_teaching(shared)}
                     onclick={sends(act, Action::Remember)}>{ text.remember }</button>
             }
-            if planned(state, shared).is_some() {
+            if is_planned(state, shared) {
                 <button type="button" class="quiet remember" data-testid="unlike-plan"
                     onclick={sends(act, Action::Unlike(Unlike::Planned))}>{ text.unlike }</button>
             }
