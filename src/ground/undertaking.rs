@@ -50,6 +50,27 @@ impl Undertaking {
         }
     }
 
+    /// Where it is after the states of a run from the first one; nothing if these are not all of its world.
+    #[must_use]
+    pub fn after(&self, run: &[State]) -> Option<Packed> {
+        let dynamics = self.dynamics();
+        let packed = |state: &State| {
+            dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)
+        };
+        match self {
+            Undertaking::Goal(_) => packed(run.last()?),
+            Undertaking::Course(errand) => {
+                let (first, rest) = run.split_first()?;
+                let first = packed(first)?;
+                let begun = first.marked(errand.watch().begin(first));
+                rest.iter().try_fold(begun, |at, state| {
+                    let next = packed(state)?;
+                    Some(next.marked(errand.watch().step(at.mark(), next)))
+                })
+            }
+        }
+    }
+
     /// Whether what has come to this state can never be brought to its end, by what was done.
     #[must_use]
     pub fn has_failed(&self, at: Packed) -> bool {

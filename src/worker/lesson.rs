@@ -3,14 +3,15 @@
 //! thing, the phrase is its name; where they are a command, it is an idiom of the model: a whole sentence with a goal. A
 //! closed word gets no new meaning by it (`ccg::closed`).
 
-use super::protocol::{Check, Fit, Lesson, Meaning, PairText, Refusal, Told, What};
+use super::protocol::{Check, Fit, Lesson, Meaning, Refusal, Told, What};
 use crate::ccg::{
     Atom, Category, ChartConfig, Derivation, EntryId, Model, Origin, Parse, SyntaxId, closed,
     parse_words, words,
 };
+use crate::corpus::{Example, Pair};
 use crate::domain::{Cell, State, cell_at};
 use crate::ground::{Goal, Validator, claim, noun};
-use crate::logic::{TermId, print, read};
+use crate::logic::{TermId, print, read, ty};
 
 /// Readings of a lesson that are looked at.
 const MOST_READINGS: usize = 30;
@@ -115,10 +116,11 @@ pub(super) fn is_meant(model: &mut Model, lesson: &Lesson) -> bool {
 }
 
 /// Whether what a lesson's command means now accounts for all that was shown, and which readings would.
-pub(super) fn check(model: &mut Model, lesson: &Lesson) -> Check {
+pub(super) fn check(model: &mut Model, lesson: &Example) -> Check {
     let parse = parsed(model, &lesson.command);
     let mut validator = Validator::new();
-    let pairs: Vec<_> = lesson.pairs.iter().map(|p| validator.pair(&p.pre, &p.post)).collect();
+    let shown = |pair: &Pair| validator.shown(&pair.pre, &pair.post, pair.way.as_deref());
+    let pairs: Vec<_> = lesson.pairs.iter().map(shown).collect();
     let terms = &model.grammar.terms;
     let mut fits = |form: TermId| {
         validator.valid(terms, form, &pairs)
@@ -132,8 +134,11 @@ pub(super) fn check(model: &mut Model, lesson: &Lesson) -> Check {
 }
 
 /// Whether a goal has to do with everything that was moved: put back to where it was, the goal would not hold. A robot
-/// that stands beside what it moved is there for that.
-fn accounts(model: &Model, form: TermId, PairText { pre, post }: &PairText) -> bool {
+/// that stands beside what it moved is there for that. Of a task over time the whole run was asked.
+fn accounts(model: &Model, form: TermId, Pair { pre, post, .. }: &Pair) -> bool {
+    if model.grammar.terms.ty(form) == ty::RUN {
+        return true;
+    }
     let Ok(goal) = Goal::new(&model.grammar.terms, form, pre) else { return false };
     let mut moved = Vec::new();
     for (at, (was, is)) in pre.objects.iter().zip(&post.objects).enumerate() {

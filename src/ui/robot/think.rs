@@ -57,8 +57,8 @@ pub fn is_asking(state: &State) -> bool {
 pub(super) fn again(state: &mut State, run: &[World]) -> bool {
     let said = state.said.as_ref();
     let reading = said.and_then(|said| said.answer.readings.get(said.chosen?));
-    let Some((reading, world)) = reading.zip(run.last()) else { return false };
-    let request = Request::Plan { form: reading.form.clone(), state: world.clone(), rules: RULES };
+    let Some(reading) = reading.filter(|_| !run.is_empty()) else { return false };
+    let request = Request::Plan { form: reading.form.clone(), run: run.to_vec(), rules: RULES };
     send(state, request);
     true
 }

@@ -73,8 +73,8 @@ pub enum Request {
     Plan {
         /// The goal as an s-expression.
         form: String,
-        /// The state of the world.
-        state: State,
+        /// The states from where it was said to where it is to be planned from; for a goal of states those two will do.
+        run: Vec<State>,
         /// What can happen in that world.
         rules: WorldRules,
     },
@@ -124,11 +124,15 @@ pub enum Request {
         /// The world.
         state: State,
     },
-    /// Plans on from a state that the plan which is kept leads through, for what its goal meant at first →
-    /// [`Event::Planning`](super::Event::Planning) now and then, then [`Event::Planned`](super::Event::Planned). The policy that is kept stays.
+    /// Plans as `Plan` does, while the policy that is kept stays → [`Event::Planning`](super::Event::Planning) now and then,
+    /// then [`Event::Planned`](super::Event::Planned).
     GoOn {
-        /// The state of the world.
-        state: State,
+        /// The goal as an s-expression.
+        form: String,
+        /// The states from where it was said to where it is to be planned from.
+        run: Vec<State>,
+        /// What can happen in that world.
+        rules: WorldRules,
     },
     /// The states of one row of the sheet → [`Event::Row`](super::Event::Row).
     ShowRow {

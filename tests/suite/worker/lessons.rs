@@ -19,12 +19,17 @@ fn shown(command: &str, robot: (i32, i32), block: (i32, i32)) -> Lesson {
     let mut post = pre.clone();
     (post.agent.x, post.agent.y) = robot;
     (post.objects[0].x, post.objects[0].y) = block;
-    Lesson { command: command.to_owned(), pairs: vec![PairText { pre, post }], means: None }
+    Lesson {
+        command: command.to_owned(),
+        pairs: vec![PairText { pre, post }],
+        runs: Vec::new(),
+        means: None,
+    }
 }
 
 fn said(command: &str, words: &str) -> Lesson {
     let means = Some(Meaning::Words(words.to_owned()));
-    Lesson { command: command.to_owned(), pairs: Vec::new(), means }
+    Lesson { command: command.to_owned(), pairs: Vec::new(), runs: Vec::new(), means }
 }
 
 fn teach(examples: &[Lesson]) -> TeachReport {

@@ -18,6 +18,8 @@ pub struct Teach {
     pub offer: Option<Offer>,
     /// What the lesson lacks, once it was to be taught without.
     pub missing: Option<Missing>,
+    /// The way that the page would have taken in place of the one that is driven, where it leads through other rooms.
+    pub straight: Option<String>,
 }
 
 impl Teach {
@@ -43,4 +45,6 @@ pub enum Missing {
     Demonstration,
     /// Nothing is said.
     Words,
+    /// There are ways that are not meant, and none that is.
+    Way,
 }

@@ -4,9 +4,11 @@ use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
 use crate::ui::page::view::sends::sends;
+use crate::ui::page::way::rooms;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::state::State;
-use crate::ui::talk::teach::learn::is_teaching;
+use crate::ui::talk::teach::learn::{is_begun, is_teaching};
+use crate::ui::talk::teach::unlike::{Unlike, driven};
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::{Fit, Lesson, Meaning};
 use web_sys::{HtmlInputElement, SubmitEvent};
@@ -17,7 +19,8 @@ use yew::{Callback, Html, InputEvent, TargetCast, html};
 pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let teach = &state.teach;
-    let shows = shared.document.draft.as_ref().is_some_and(Draft::shows);
+    let draft = shared.document.draft.as_ref();
+    let shows = draft.is_some_and(Draft::shows);
     let busy = is_teaching(shared);
     let send = act.reform(|event: SubmitEvent| {
         event.prevent_default();
@@ -32,8 +35,9 @@ pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             <ol class="steps">
                 <li class={shows.then_some("done")}>
                     { text.show_it }
-                    {" "}<button type="button" class="link" disabled={!shows} data-testid="clear-draft"
+                    {" "}<button type="button" class="link" disabled={!draft.is_some_and(is_begun)} data-testid="clear-draft"
                         onclick={sends(act, Action::ClearDraft)}>{ text.show_again }</button>
+                    { for draft.map(|draft| way(state, draft, text, act)) }
                 </li>
                 <li>
                     <label for="lesson">{ text.say_it }</label>
@@ -51,6 +55,29 @@ pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             }
             { not_taught(state, shared, act) }
         </div>
+    }
+}
+
+/// What is said of the way that is driven, and the ways that are not meant.
+fn way(state: &State, draft: &Draft, text: &'static Text, act: &Callback<Action>) -> Html {
+    let unlike = |which, id: &'static str| {
+        html! {
+            <button type="button" class="quiet" data-testid={id} onclick={sends(act, Action::Unlike(which))}>{ text.unlike }</button>
+        }
+    };
+    let rooms = |way: &String| rooms(&draft.before, way, text.phrases);
+    html! {
+        <>
+            if driven(draft).is_some() {
+                <p class="dim">{ text.way_counts }{" "}{ unlike(Unlike::Driven, "unlike") }</p>
+            }
+            if let Some(straight) = &state.teach.straight {
+                <p data-testid="straight">{ (text.straight)(&rooms(straight)) }{" "}{ unlike(Unlike::Straight, "unlike-straight") }</p>
+            }
+            { for draft.contrasts.iter().map(|way| html! {
+                <p class="dim" data-testid="contrast">{ (text.unlike_this)(&rooms(way)) }</p>
+            }) }
+        </>
     }
 }
 
@@ -124,6 +151,9 @@ fn taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
                 <p class="dim" data-testid="learned">
                     { if means.is_some() { (text.now_means)(command) } else { (text.it_learned)(command, added.len()) } }
                 </p>
+                if teach.report.as_ref().is_some_and(|report| report.by_end) {
+                    <p class="dim" data-testid="by-end">{ text.by_end }</p>
+                }
                 <ul class="told">
                     { for teach.report.iter().flat_map(|report| &report.told).map(|told| html! {
                         <li data-testid="told">{ text.told(told) }</li>
