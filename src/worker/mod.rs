@@ -17,9 +17,10 @@ mod progress;
 mod demonstration;
 mod lesson;
 mod training;
-mod learner;
 mod shard;
 mod study;
+mod review;
+mod learner;
 mod bench;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;
