@@ -85,6 +85,30 @@ impl Undertaking {
         }
     }
 
+    /// A state of the world; nothing if it is one of another.
+    #[must_use]
+    pub fn packed(&self, state: &State) -> Option<Packed> {
+        let dynamics = self.dynamics();
+        dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)
+    }
+
+    /// What a run has come to, however its states came about: a task over time to its stage; nothing if there is none, or
+    /// if one of its states is of another world.
+    #[must_use]
+    pub fn along(&self, run: &[State]) -> Option<Packed> {
+        let run: Vec<Packed> = run.iter().map(|state| self.packed(state)).collect::<Option<_>>()?;
+        match self {
+            Undertaking::Goal(_) => run.last().copied(),
+            Undertaking::Course(errand) => {
+                let (first, later) = run.split_first()?;
+                let begin = (*first, errand.watch().begin(*first));
+                let step = |(_, stage), &state| (state, errand.watch().step(stage, state));
+                let (last, stage) = later.iter().fold(begin, step);
+                Some(last.marked(stage))
+            }
+        }
+    }
+
     /// What stands in a state of the world.
     #[must_use]
     pub fn state(&self, at: Packed) -> State {

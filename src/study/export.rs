@@ -63,8 +63,7 @@ pub fn write(review: &Review, style: &Style, out: impl io::Write) -> io::Result<
         .chain(runs)
         .chain(AFTER.map(str::to_owned))
         .collect();
-    let examples: Vec<Example> =
-        rows().map(|row| guard(row.example(rest(row, style)))).collect();
+    let examples: Vec<Example> = rows().map(|row| guard(row.example(rest(row, style)))).collect();
     let rows = examples.iter().map(|example| (example, &example.decision));
     table::write_rows(&columns, &Mapping::default(), rows, out)
 }

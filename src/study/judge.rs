@@ -2,8 +2,8 @@
 //! shown, or of some alone. Told to who reviews, never to who took part. In steps, an answer each.
 
 use super::answer::Answer;
-use crate::corpus::Pair;
 use crate::ccg::{ChartConfig, Model, parse};
+use crate::corpus::Pair;
 use crate::ground::{PairId, Validator};
 use serde::{Deserialize, Serialize};
 

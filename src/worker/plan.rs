@@ -137,12 +137,10 @@ impl Planning {
         Ok(Self::begun(task, Some(timed), state, (rules.luck, is_hasty)))
     }
 
-    /// Begins to plan for what was planned for from another state; nothing if that is a state of another world, or if it is
-    /// a task over time, since no state says how far that has come.
-    pub(super) fn go_on(task: Rc<Undertaking>, state: &State) -> Option<Planning> {
-        let Undertaking::Goal(_) = &*task else { return None };
-        let at = packed(&task, state)?;
-        Some(Planning::new(task, None, (at, state), (0, false)))
+    /// Begins to plan for what was planned for, from what a run has come to; nothing if that is of another world.
+    pub(super) fn go_on(task: Rc<Undertaking>, run: &[State]) -> Option<Planning> {
+        let at = task.along(run)?;
+        Some(Planning::new(task, None, (at, run.last()?), (0, false)))
     }
 
     fn begun(
@@ -279,12 +277,6 @@ impl Planning {
             instead,
         }
     }
-}
-
-/// A state of the task's world; nothing if it is one of another.
-pub(super) fn packed(task: &Undertaking, state: &State) -> Option<Packed> {
-    let dynamics = task.dynamics();
-    dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)
 }
 
 impl Planned {

@@ -13,8 +13,8 @@ use crate::study::export::{Style, write};
 use crate::study::gather::Gathering;
 use crate::study::judge::Judging;
 use crate::study::merge::unite;
-use crate::study::survey::{SurveyMapping, Trials, convert, trials};
 use crate::study::survey::trials::paths;
+use crate::study::survey::{SurveyMapping, Trials, convert, trials};
 use crate::study::{Flag, Review, Row, Study, pay};
 use std::collections::BTreeMap;
 
@@ -241,8 +241,7 @@ impl Reviewing {
             Sheet::Table => ("answers.csv", written(review, &style)?),
             Sheet::Lines => ("answers.jsonl", written(review, &Style { is_json: true, ..style })?),
             Sheet::Corpus => {
-                let style =
-                    Style { is_json: true, approved_only: false, fit_only: true, ..style };
+                let style = Style { is_json: true, approved_only: false, fit_only: true, ..style };
                 let is_unfit = |row: &&Row| row.flags.contains(&Flag::Unfit);
                 unfit = review.rows.iter().filter(is_unfit).count() as u32;
                 ("study-answers.jsonl", written(review, &style)?)

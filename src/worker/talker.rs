@@ -63,10 +63,10 @@ impl Role for Talker {
                     None => Step::Working(None),
                 }))
             }
-            Request::GoOn { state } => {
+            Request::GoOn { run } => {
                 let planned = self.planned.clone().ok_or(NO_PLAN)?;
                 let mut planning =
-                    Planning::go_on(planned.task.clone(), &state).ok_or(OTHER_WORLD)?;
+                    Planning::go_on(planned.task.clone(), &run).ok_or(OTHER_WORLD)?;
                 Ok(Box::new(move |_| match planning.step() {
                     Some(plan) => Step::Over(Event::Planned(Box::new(plan))),
                     None => Step::Working(planning.news().map(Event::Planning)),

@@ -12,9 +12,11 @@ pub const PACE: u32 = 450;
 pub fn on_view(state: &State) -> Vec<&Showing> {
     let Some((study, _)) = &state.study else { return Vec::new() };
     match state.stage() {
-        Stage::Instructions => {
-            study.words.example.as_ref().map_or(Vec::new(), |example| example.shows.iter().collect())
-        }
+        Stage::Instructions => study
+            .words
+            .example
+            .as_ref()
+            .map_or(Vec::new(), |example| example.shows.iter().collect()),
         Stage::Turn(at) => {
             let turn = state.sitting.as_ref().and_then(|sitting| sitting.turns.get(at));
             let item = turn.and_then(|turn| Some((turn, study.items.get(turn.item)?)));

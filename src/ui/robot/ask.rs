@@ -5,7 +5,7 @@ use super::drive::event;
 use super::effect::Effect;
 use super::place;
 use super::state::{Said, State};
-use super::think::{RULES, send, wake};
+use super::think::{RULES, anew, send, wake};
 use crate::domain::State as World;
 use crate::robot::Event as Drive;
 use crate::ui::page::engines::News;
@@ -75,6 +75,17 @@ pub(super) fn hear(state: &mut State, news: News) {
                 follow(state);
             }
         }
+        News::Answer(Request::GoOn { .. }, Event::Planned(plan)) => {
+            event(state, Drive::Again(usable(&plan).then_some(plan.states)));
+        }
+        News::Answer(Request::GoOn { run }, Event::Refused { .. })
+            if state.pilot.driver.is_thinking() =>
+        {
+            let is_asked = run.into_iter().last().is_some_and(|world| anew(state, world));
+            if !is_asked {
+                event(state, Drive::Again(None));
+            }
+        }
         News::Answer(Request::ReadWorld { .. }, Event::World(world)) => {
             place::open(state, world, None);
         }
@@ -82,7 +93,9 @@ pub(super) fn hear(state: &mut State, news: News) {
             state.undrawn = Some(message);
         }
         News::Stopped if state.pilot.driver.is_thinking() => event(state, Drive::Again(None)),
-        News::Answer(Request::Plan { .. }, _) if state.pilot.driver.is_thinking() => {
+        News::Answer(Request::Plan { .. } | Request::GoOn { .. }, _)
+            if state.pilot.driver.is_thinking() =>
+        {
             event(state, Drive::Again(None));
         }
         News::Answer(..) | News::Progress(_) | News::Stopped => {}

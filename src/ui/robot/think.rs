@@ -50,15 +50,33 @@ pub(super) fn send(state: &mut State, request: Request) {
 
 /// Whether something is being thought of.
 pub fn is_asking(state: &State) -> bool {
-    state.talker.is_at(|request| matches!(request, Request::Ask { .. } | Request::Plan { .. }))
+    state.talker.is_at(|request| {
+        matches!(request, Request::Ask { .. } | Request::Plan { .. } | Request::GoOn { .. })
+    })
 }
 
-/// Has a robot think again, from where its run has led; whether there is something to think of.
-pub(super) fn again(state: &mut State, run: &[World]) -> bool {
-    let said = state.said.as_ref();
+/// Has a robot think again, from what its run has come to, for what its command meant where it was said; whether there is
+/// something to think of.
+pub(super) fn again(state: &mut State, run: Vec<World>) -> bool {
+    let is_said = state.plan().is_some() && !run.is_empty();
+    if is_said {
+        send(state, Request::GoOn { run });
+    }
+    is_said
+}
+
+/// The engine cannot go on with the plan that it keeps, if it keeps one: a goal of states is planned for anew, which loses
+/// nothing; a task over time is not, since what was done of it would be done again.
+pub(super) fn anew(state: &mut State, world: World) -> bool {
+    let said = state
+        .said
+        .as_ref()
+        .filter(|said| said.plan.as_ref().is_some_and(|plan| plan.done.is_empty()));
     let reading = said.and_then(|said| said.answer.readings.get(said.chosen?));
-    let Some((reading, world)) = reading.zip(run.last()) else { return false };
-    let request = Request::Plan { form: reading.form.clone(), state: world.clone(), rules: RULES };
-    send(state, request);
-    true
+    let form = reading.map(|reading| reading.form.clone());
+    let is_said = form.is_some();
+    if let Some(form) = form {
+        send(state, Request::Plan { form, state: world, rules: RULES });
+    }
+    is_said
 }

@@ -1,7 +1,7 @@
 //! What the engine says to the workbench: each message goes to the part that asked.
 
-use super::restart::restart;
 use super::action::Tab;
+use super::restart::restart;
 use super::state::State;
 use super::{data, experiments, keeping, lexicon, run, study};
 use crate::ui::page::engines::News;

@@ -124,11 +124,12 @@ pub enum Request {
         /// The world.
         state: State,
     },
-    /// Plans on from a state that the plan which is kept leads through, for what its goal meant at first →
+    /// Plans on from what a run has come to, for what the goal of the plan which is kept meant at first; a task over time goes
+    /// on behind what is done of it →
     /// [`Event::Planning`](super::Event::Planning) now and then, then [`Event::Planned`](super::Event::Planned). The policy that is kept stays.
     GoOn {
-        /// The state of the world.
-        state: State,
+        /// The states of the run, from where the goal was said to the world as it is; of a goal of states the last alone will do.
+        run: Vec<State>,
     },
     /// The states of one row of the sheet → [`Event::Row`](super::Event::Row).
     ShowRow {

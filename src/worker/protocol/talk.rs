@@ -54,7 +54,7 @@ enum Asked {
     Draw { blueprint: Blueprint, seed: u32 },
     ReadWorld { text: String },
     WriteWorld { state: State },
-    GoOn { state: State },
+    GoOn { run: Vec<State> },
 }
 
 #[derive(Deserialize)]

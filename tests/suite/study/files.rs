@@ -113,7 +113,10 @@ fn a_run_takes_a_pairs_place() {
     assert_eq!(shown.behind(9), *shown.states().1);
     for (bad, why) in [
         (text.replace("eew", "exw"), "no action is called 'x'"),
-        (text.replace("\"actions\":\"eew\",", ""), "a pair is {pre, post}, a run is {start, actions}"),
+        (
+            text.replace("\"actions\":\"eew\",", ""),
+            "a pair is {pre, post}, a run is {start, actions}",
+        ),
     ] {
         let said = Study::read(&bad).unwrap_err().to_string();
         assert!(said.contains(why), "{said}");

@@ -123,9 +123,9 @@ fn a_plan_that_may_be_too_long_is_walked_while_a_shorter_way_on_is_looked_for() 
     page.answer(Event::Answer(Box::new(understood("go", Some(open(&start, 30))))));
     let ahead = |page: &mut Page| {
         assert!(page.play_on());
-        let Request::GoOn { state } = page.asked() else { panic!() };
+        let Request::GoOn { run } = page.asked() else { panic!() };
         assert!(!is_asking(&page.state.shared), "nobody waits for it");
-        state.clone()
+        run[0].clone()
     };
     let from = ahead(&mut page);
     assert_eq!(from.agent.x, start.agent.x + 11, "so much is walked meanwhile");

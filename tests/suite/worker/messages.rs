@@ -122,7 +122,7 @@ fn requests() -> Vec<Request> {
         Request::Ask { command: "go".to_owned(), state: state.clone(), rules },
         Request::Plan { form: "p:t".to_owned(), state: state.clone(), rules },
         Request::Values { state: state.clone(), done: 0 },
-        Request::GoOn { state: state.clone() },
+        Request::GoOn { run: vec![state.clone()] },
         Request::RollOut { runs: 100, seed: 7 },
         Request::Demonstrate { command, state, settings: settings(2) },
         Request::Cancel,

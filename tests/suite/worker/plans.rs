@@ -86,8 +86,7 @@ fn where_nothing_is_left_to_chance_a_plan_is_shortest_and_every_run_is_the_same(
 #[test]
 fn a_plan_is_gone_on_with_for_what_was_meant_at_first() {
     let mut engine = Engine::new();
-    let state = world();
-    let refusal = refused(&mut engine, Request::GoOn { state });
+    let refusal = refused(&mut engine, Request::GoOn { run: vec![world()] });
     assert!(refusal.starts_with("There is no plan"), "{refusal}");
     // Once it has left the blue room, no chair is in it.
     let blue = "(the:<<e,t>,e> (lambda $0:e (and:<t*,t> (blue:<e,t> $0) (room:<e,t> $0))))";
@@ -98,7 +97,7 @@ fn a_plan_is_gone_on_with_for_what_was_meant_at_first() {
     let plan = planned(&mut engine, &form, WorldRules { pull: true, ..SURE });
     assert!(plan.reached && plan.reason.is_none(), "{plan:?}");
     let mut state = plan.states[plan.actions.len() - 1].clone();
-    match pump(&mut engine, 2, Request::GoOn { state: state.clone() }).pop() {
+    match pump(&mut engine, 2, Request::GoOn { run: vec![state.clone()] }).pop() {
         Some(Event::Planned(way)) => {
             assert_eq!((way.actions.len(), way.reached, way.reason), (1, true, None));
         }
@@ -106,7 +105,7 @@ fn a_plan_is_gone_on_with_for_what_was_meant_at_first() {
     }
     assert!(!values(&mut engine, world()).cells.is_empty(), "the plan is kept");
     state.objects.clear();
-    refused(&mut engine, Request::GoOn { state });
+    refused(&mut engine, Request::GoOn { run: vec![state] });
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub(crate) const fn is_for(request: &Request) -> bool {
 
 /// Looks for a shorter way on, if the plan that is played may be longer than the shortest and nothing else is to be done.
 pub(crate) fn look(state: &State, shared: &mut Shared) {
-    // How far a task over time has come no state says.
+    // Of a task over time this would be another plan's steps that are told.
     let plan = shared.document.plan().filter(|plan| plan.done.is_empty());
     let is_open = plan.and_then(|plan| plan.over()).is_some_and(|over| over > 0);
     let playback = state.watch.playback.as_ref().filter(|playback| playback.playing());
@@ -25,7 +25,7 @@ pub(crate) fn look(state: &State, shared: &mut Shared) {
     let from = playback.and_then(|playback| playback.state(playback.at() + ahead));
     let is_asked = is_open && state.watch.has_policy && !state.watch.is_best;
     if let Some(from) = from.filter(|_| is_asked && !shared.talker.is_at(|_| true)) {
-        shared.send(Request::GoOn { state: from.clone() }, false);
+        shared.send(Request::GoOn { run: vec![from.clone()] }, false);
     }
 }
 

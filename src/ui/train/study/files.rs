@@ -42,7 +42,10 @@ pub(super) fn bring(state: &mut State, desk: &mut Desk, files: Vec<Offered>) {
 pub(super) fn hold(state: &State, desk: &mut Desk) {
     if let Some((study, _)) = state.study.as_ref().filter(|_| !state.log.is_empty()) {
         let bytes = study.write().into_bytes();
-        ask(desk, StudyAsk::Review(Some(CorpusFile { name: study.name.clone(), bytes: bytes.into() })));
+        ask(
+            desk,
+            StudyAsk::Review(Some(CorpusFile { name: study.name.clone(), bytes: bytes.into() })),
+        );
     }
 }
 

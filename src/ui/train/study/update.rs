@@ -7,8 +7,8 @@ use super::words::Text;
 use crate::corpus::{Decision, States};
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
-use std::collections::BTreeMap;
 use crate::worker::protocol::{AnswerLine, Request, Sheet, StudyAsk, SurveyMapping};
+use std::collections::BTreeMap;
 
 /// Does what a person wants.
 pub fn update(state: &mut State, desk: &mut Desk, action: Action) {

@@ -78,7 +78,9 @@ pub(super) static ENGLISH: Text = Text {
     flaws: "What is wrong with the files",
     bringing: "Reading files (kB)",
     unfit: |n| {
-        format!("{n} left out: a corpus takes no command of more than 2,000 characters or without a word.")
+        format!(
+            "{n} left out: a corpus takes no command of more than 2,000 characters or without a word."
+        )
     },
     judge: "Ask the robot’s model",
     judge_by: "Ask a model of a file",

@@ -78,7 +78,9 @@ pub(super) static GERMAN: Text = Text {
     flaws: "Was an den Dateien nicht stimmt",
     bringing: "Dateien werden gelesen (kB)",
     unfit: |n| {
-        format!("{n} weggelassen: Ein Korpus nimmt keinen Auftrag mit mehr als 2.000 Zeichen oder ohne ein Wort.")
+        format!(
+            "{n} weggelassen: Ein Korpus nimmt keinen Auftrag mit mehr als 2.000 Zeichen oder ohne ein Wort."
+        )
     },
     judge: "Das Modell des Roboters fragen",
     judge_by: "Ein Modell aus einer Datei fragen",
