@@ -44,7 +44,10 @@ pub(super) fn decision(
 }
 
 /// The command of a row, if it can be kept. A word has a letter or a digit, as for those who read it.
-pub(super) fn command(text: Option<&str>) -> Result<String, Wrong> {
+///
+/// # Errors
+/// Why no corpus keeps it.
+pub fn command(text: Option<&str>) -> Result<String, Wrong> {
     let Some(command) = text.and_then(something) else {
         return Err(Wrong::with_mend(
             "the command is empty",

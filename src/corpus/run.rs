@@ -50,13 +50,26 @@ pub fn read(text: &str) -> Result<Pair, Wrong> {
             mend,
         )
     })?;
-    let start = before(run.start.get())?;
-    if run.contrast.len() > MOST_CONTRASTS {
+    way(before(run.start.get())?, &run.actions, &run.contrast)
+}
+
+/// The run of these letters from a start.
+///
+/// # Errors
+/// What is wrong: the start is no legal state, or there are other letters, or too many.
+pub fn of(start: State, actions: &str, contrast: &[String]) -> Result<Pair, Wrong> {
+    start.check().map_err(|error| Wrong::from(error.to_string()))?;
+    way(start, actions, contrast)
+}
+
+/// The run of these letters from a legal start.
+fn way(start: State, letters: &str, contrast: &[String]) -> Result<Pair, Wrong> {
+    if contrast.len() > MOST_CONTRASTS {
         return Err(Wrong::from(format!("a run has {MOST_CONTRASTS} contrasts at most")));
     }
-    let contrasts = run.contrast.iter().map(|contrast| actions(contrast));
+    let contrasts = contrast.iter().map(|contrast| actions(contrast));
     let contrasts = contrasts.collect::<Result<_, _>>()?;
-    pair(start, Way { actions: actions(&run.actions)?, contrasts })
+    pair(start, Way { actions: actions(letters)?, contrasts })
 }
 
 /// The demonstration that a way from a start is.

@@ -50,27 +50,6 @@ impl Undertaking {
         }
     }
 
-    /// Where it is after the states of a run from the first one; nothing if these are not all of its world.
-    #[must_use]
-    pub fn after(&self, run: &[State]) -> Option<Packed> {
-        let dynamics = self.dynamics();
-        let packed = |state: &State| {
-            dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)
-        };
-        match self {
-            Undertaking::Goal(_) => packed(run.last()?),
-            Undertaking::Course(errand) => {
-                let (first, rest) = run.split_first()?;
-                let first = packed(first)?;
-                let begun = first.marked(errand.watch().begin(first));
-                rest.iter().try_fold(begun, |at, state| {
-                    let next = packed(state)?;
-                    Some(next.marked(errand.watch().step(at.mark(), next)))
-                })
-            }
-        }
-    }
-
     /// Whether what has come to this state can never be brought to its end, by what was done.
     #[must_use]
     pub fn has_failed(&self, at: Packed) -> bool {
@@ -102,6 +81,30 @@ impl Undertaking {
             Undertaking::Goal(task) => task.dynamics().quotient(at),
             Undertaking::Course(errand) => {
                 errand.problem().dynamics().quotient(at.unmarked()).marked(at.mark())
+            }
+        }
+    }
+
+    /// A state of the world; nothing if it is one of another.
+    #[must_use]
+    pub fn packed(&self, state: &State) -> Option<Packed> {
+        let dynamics = self.dynamics();
+        dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)
+    }
+
+    /// What a run has come to, however its states came about: a task over time to its stage; nothing if there is none, or
+    /// if one of its states is of another world.
+    #[must_use]
+    pub fn along(&self, run: &[State]) -> Option<Packed> {
+        let run: Vec<Packed> = run.iter().map(|state| self.packed(state)).collect::<Option<_>>()?;
+        match self {
+            Undertaking::Goal(_) => run.last().copied(),
+            Undertaking::Course(errand) => {
+                let (first, later) = run.split_first()?;
+                let begin = (*first, errand.watch().begin(*first));
+                let step = |(_, stage), &state| (state, errand.watch().step(stage, state));
+                let (last, stage) = later.iter().fold(begin, step);
+                Some(last.marked(stage))
             }
         }
     }

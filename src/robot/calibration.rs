@@ -4,6 +4,7 @@
 use super::geometry::{Pose, wrap};
 use super::sight::angle;
 use crate::domain::{Agent, Cell, State, cell_at};
+use serde::{Deserialize, Serialize};
 
 /// Metres that a cell may measure a side.
 const SIZES: std::ops::RangeInclusive<f64> = 0.15..=5.0;
@@ -23,7 +24,7 @@ pub struct Mark {
 type Pair = ([f64; 2], [f64; 2]);
 
 /// How metres are mapped to cells: `cell = turn · metres + shift`, as complex numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Calibration {
     turn: [f64; 2],
     shift: [f64; 2],
@@ -83,6 +84,12 @@ impl Calibration {
         let mirrored: Vec<_> = pairs.iter().map(|&([x, y], cell)| ([x, -y], cell)).collect();
         let is_mirrored = solve(&mirrored).is_some_and(|other| other.off <= MOST_OFF);
         Err(if is_mirrored { Uncalibrated::Mirrored } else { Uncalibrated::Off(found.off) })
+    }
+
+    /// Whether it is one: of one that comes from elsewhere nothing is known.
+    pub fn is_sound(&self) -> bool {
+        let all = [self.turn, self.shift, [self.off; 2]];
+        all.as_flattened().iter().all(|n| n.is_finite()) && SIZES.contains(&self.cell())
     }
 
     /// Metres that a cell measures a side.

@@ -2,10 +2,12 @@
 //! ROS 2 (`geometry_msgs/msg/Twist`) than in ROS 1 (`geometry_msgs/Twist`), and stamps other fields.
 
 use super::geometry::{Pose, Twist, yaw};
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 /// Which ROS it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Generation {
     /// ROS 1.
     One,
@@ -14,7 +16,8 @@ pub enum Generation {
 }
 
 /// How a base takes its velocity.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Command {
     /// `geometry_msgs/Twist`.
     Twist,
@@ -23,7 +26,8 @@ pub enum Command {
 }
 
 /// How somebody says where something is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Sighting {
     /// `nav_msgs/Odometry`: what the wheels say.
     Odometry,

@@ -2,6 +2,7 @@
 
 use super::geometry::Twist;
 use super::message::{Command, Generation, Sighting};
+use serde::{Deserialize, Serialize};
 
 /// The highest speed that can be allowed, in metres a second.
 pub const FASTEST: f64 = 0.5;
@@ -9,7 +10,7 @@ pub const FASTEST: f64 = 0.5;
 pub const QUICKEST: f64 = 1.5;
 
 /// The topics of a robot.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Wiring {
     /// Where it takes its velocity.
     pub velocity: String,
@@ -22,7 +23,7 @@ pub struct Wiring {
 }
 
 /// Types of the messages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Types {
     /// Which ROS it is.
     pub generation: Generation,

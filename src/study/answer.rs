@@ -2,7 +2,8 @@
 //! the workbench and `train` read it as it is. Invariant: equal answers have equal lines, and a sitting's completion code
 //! is a function of its answers.
 
-use super::file::Showing;
+use super::showing::Showing;
+use crate::corpus::Decision;
 use serde::{Deserialize, Serialize};
 
 /// What an answer calls itself.
@@ -22,8 +23,12 @@ pub struct Answer {
     pub task: Option<String>,
     /// Who said it.
     pub worker: String,
-    /// What it was said of.
+    /// The pairs that it was said of.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pairs: Vec<Showing>,
+    /// The runs that it was said of.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub runs: Vec<Showing>,
     /// The fingerprint of the study.
     pub study: String,
     /// The item's name.
@@ -61,10 +66,18 @@ pub struct Care {
     pub changes: u32,
 }
 
+/// An answer, with what was decided of it.
+pub type Decided = (Answer, Decision);
+
 impl Answer {
     /// The sitting that it is of.
     pub fn sitting(&self) -> &str {
         self.id.rsplit_once('-').map_or(self.id.as_str(), |(sitting, _)| sitting)
+    }
+
+    /// What it was said of, in the order in which it was shown.
+    pub fn shown(&self) -> impl Iterator<Item = &Showing> {
+        self.pairs.iter().chain(&self.runs)
     }
 
     /// The answer as a line.
@@ -92,7 +105,7 @@ pub fn lines(answers: &[Answer]) -> String {
 }
 
 /// The code that says that somebody has given these answers to a study: eight signs that are hard to mistake.
-pub fn code(study: &str, answers: &[Answer]) -> String {
+pub fn code<'a>(study: &str, answers: impl IntoIterator<Item = &'a Answer>) -> String {
     const SIGNS: &[u8; 32] = b"0123456789ABCDEFGHJKMNPQRSTVWXYZ";
     let mut hasher = blake3::Hasher::new();
     hasher.update(study.as_bytes());

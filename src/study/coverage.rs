@@ -5,10 +5,11 @@ use super::file::Study;
 use super::flags::Flag;
 use super::review::Review;
 use crate::corpus::Decision;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// A task's answers.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Coverage {
     /// Its label, or the item's name where it has none.
     pub task: String,

@@ -2,7 +2,8 @@
 //! handed back there), lines of JSON, and either with pseudonyms for people. Cells that a spreadsheet would take for a
 //! formula get a sign before them, which reading them takes away again.
 
-use super::answer::short;
+use super::answer::{Answer, short};
+use super::flags::Flag;
 use super::review::{Review, Row};
 use crate::corpus::{Cells, Decision, Example, Mapping, guarded, jsonl, table};
 use std::borrow::Cow;
@@ -15,8 +16,10 @@ pub struct Style {
     pub is_json: bool,
     /// What pseudonyms are made of: whoever has it can tell whose each is. Nothing for the names as they are.
     pub pseudonyms: Option<String>,
-    /// Whether rejected answers are left out.
+    /// Whether what is not approved is left out.
     pub approved_only: bool,
+    /// Whether what no corpus takes is left out.
+    pub fit_only: bool,
 }
 
 /// The columns of batch results before the pairs, and what stands there.
@@ -38,46 +41,55 @@ const AFTER: [&str; 6] =
 /// # Errors
 /// Those of `out`.
 pub fn write(review: &Review, style: &Style, out: impl io::Write) -> io::Result<()> {
-    let alias = |name: &str| match &style.pseudonyms {
-        Some(key) if !name.is_empty() => format!("P{}", short(&[key, name])),
-        _ => name.to_owned(),
+    let is_wanted = |row: &&Row| {
+        (!style.approved_only || row.decision == Decision::Approved)
+            && (!style.fit_only || !row.flags.contains(&Flag::Unfit))
     };
-    let mut review = review.clone();
-    if style.approved_only {
-        review.rows.retain(|row| row.decision == Decision::Approved);
-    }
-    for row in &mut review.rows {
-        let answer = &mut row.answer;
-        answer.worker = alias(&answer.worker);
-        if style.pseudonyms.is_some() {
-            // A sitting's name is made of its participant's.
-            answer.id = alias(&answer.id);
-            answer.assignment = answer.assignment.as_deref().map(alias);
-            answer.hit = None;
-        }
-    }
+    let rows = || review.rows.iter().filter(is_wanted);
     if style.is_json {
-        let examples = review.examples(|_| Cells::default());
+        let examples: Vec<Example> =
+            rows().map(|row| named(row.example(Cells::default()), style)).collect();
         return jsonl::write_rows(examples.iter().map(|e| (e, &e.decision)), out);
     }
-    let most = review.rows.iter().map(|row| row.answer.pairs.len()).max().unwrap_or(1);
-    let pairs = (1..=most).flat_map(|n| [format!("Input.pre_{n}"), format!("Input.post_{n}")]);
+    let most =
+        |count: fn(&Answer) -> usize| rows().map(|row| count(&row.answer)).max().unwrap_or(0);
+    let pairs = (1..=most(|answer| answer.pairs.len()))
+        .flat_map(|n| [format!("Input.pre_{n}"), format!("Input.post_{n}")]);
+    let runs = (1..=most(|answer| answer.runs.len())).map(|n| format!("Input.run_{n}"));
     let columns: Vec<String> = BEFORE
         .iter()
         .map(|&name| name.to_owned())
         .chain(pairs)
+        .chain(runs)
         .chain(AFTER.map(str::to_owned))
         .collect();
-    let examples: Vec<Example> = review.examples(rest).into_iter().map(guard).collect();
+    let examples: Vec<Example> = rows().map(|row| guard(row.example(rest(row, style)))).collect();
     let rows = examples.iter().map(|example| (example, &example.decision));
     table::write_rows(&columns, &Mapping::default(), rows, out)
 }
 
+/// A pseudonym for a person, or for what is named after one; the name itself where none are wanted.
+fn alias(name: &str, style: &Style) -> String {
+    match &style.pseudonyms {
+        Some(key) if !name.is_empty() => format!("P{}", short(&[key, name])),
+        _ => name.to_owned(),
+    }
+}
+
+/// An example with the names that are wanted: a sitting's is made of its participant's.
+fn named(example: Example, style: &Style) -> Example {
+    let worker = example.worker.as_deref().map(|worker| alias(worker, style));
+    Example { id: alias(&example.id, style), worker, ..example }
+}
+
 /// The cells of an answer that an example has no place for, in the order of their columns.
-fn rest(row: &Row) -> Cells {
+fn rest(row: &Row, style: &Style) -> Cells {
     let answer = &row.answer;
+    let (id, worker) = (alias(&answer.id, style), alias(&answer.worker, style));
+    let assignment = answer.assignment.as_deref().map(|name| alias(name, style));
     let flags: Vec<&str> = row.flags.iter().map(|flag| flag.name()).collect();
-    let id = answer.assignment.as_deref().filter(|_| answer.turn[1] == 1).unwrap_or(&answer.id);
+    let id = assignment.as_deref().filter(|_| answer.turn[1] == 1).unwrap_or(&id);
+    let hit = answer.hit.as_deref().filter(|_| style.pseudonyms.is_none());
     let status = match row.decision {
         Decision::Open => "Submitted",
         Decision::Approved => "Approved",
@@ -93,9 +105,9 @@ fn rest(row: &Row) -> Cells {
     let turn = format!("{} of {}", answer.turn[0], answer.turn[1]);
     let flags = flags.join(" ");
     let cells = [
-        answer.hit.as_deref().unwrap_or_default(),
+        hit.unwrap_or_default(),
         id,
-        &answer.worker,
+        &worker,
         status,
         &time,
         &seconds,

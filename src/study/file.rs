@@ -1,10 +1,9 @@
 //! A study as one file of JSON: what is shown and asked, in which words, and where the answers go. The file is all that
-//! the page that asks has to know, beside the link. An item shows pairs of states; what else may take a pair's place (a
-//! run: a state and what the robot does from there) is another kind of `Showing`.
+//! the page that asks has to know, beside the link.
 
+use super::showing::Showing;
 use super::url::Origin;
-use crate::corpus::{Pair, Wrong, cell, json};
-use crate::domain::State;
+use crate::corpus::{Wrong, json};
 use serde::{Deserialize, Serialize};
 
 /// What a study's file calls itself.
@@ -147,33 +146,6 @@ pub struct Item {
     /// What people said of it once, for rehearsals of the study.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub rehearsed: Vec<Rehearsed>,
-}
-
-/// What shows an item: a pair of states.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged, from = "States")]
-pub enum Showing {
-    /// Before and after.
-    Pair {
-        /// The state before.
-        pre: State,
-        /// The state after.
-        post: State,
-    },
-}
-
-/// A pair as it stands in a file.
-#[derive(Deserialize)]
-#[serde(expecting = "a pair: {pre, post}")]
-struct States {
-    pre: State,
-    post: State,
-}
-
-impl From<States> for Showing {
-    fn from(States { pre, post }: States) -> Showing {
-        Showing::Pair { pre, post }
-    }
 }
 
 /// What somebody said of an item.
@@ -351,36 +323,6 @@ impl Study {
     /// The items that everybody is asked, to see whether they look.
     pub fn checks(&self) -> impl Iterator<Item = usize> {
         (0..self.items.len()).filter(|&at| !self.items[at].must.is_empty())
-    }
-}
-
-impl Showing {
-    /// The pair of states that it is about.
-    pub fn pair(&self) -> Pair {
-        match self {
-            Showing::Pair { pre, post } => Pair::of(pre.clone(), post.clone()),
-        }
-    }
-
-    /// The state that it begins with, and that it ends with.
-    pub fn states(&self) -> (&State, &State) {
-        match self {
-            Showing::Pair { pre, post } => (pre, post),
-        }
-    }
-
-    fn check(&self) -> Result<(), String> {
-        let (pre, post) = self.states();
-        pre.check().map_err(|e| e.to_string())?;
-        post.check_after().map_err(|e| e.to_string())?;
-        cell::pair(pre.clone(), post.clone()).map(|_| ()).map_err(|all| all.join("; "))
-    }
-}
-
-impl From<Pair> for Showing {
-    /// Of a run what it begins and ends with: a study shows states.
-    fn from(Pair { pre, post, .. }: Pair) -> Showing {
-        Showing::Pair { pre, post }
     }
 }
 

@@ -5,6 +5,7 @@ use super::answer::{Answer, plain};
 use super::file::Study;
 use super::judge::Verdict;
 use super::tongue::is_foreign;
+use crate::corpus::admit::command;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -38,11 +39,13 @@ pub enum Flag {
     Again,
     /// It is of a rehearsal.
     Simulated,
+    /// It is too long for a corpus, or has no word.
+    Unfit,
 }
 
 impl Flag {
     /// All of them.
-    pub const ALL: [Flag; 13] = [
+    pub const ALL: [Flag; 14] = [
         Flag::Unseen,
         Flag::Fast,
         Flag::Pasted,
@@ -56,6 +59,7 @@ impl Flag {
         Flag::Twin,
         Flag::Again,
         Flag::Simulated,
+        Flag::Unfit,
     ];
 
     /// Its name in files and on the command line.
@@ -74,6 +78,7 @@ impl Flag {
             Flag::Twin => "twin",
             Flag::Again => "again",
             Flag::Simulated => "simulated",
+            Flag::Unfit => "unfit",
         }
     }
 
@@ -84,7 +89,7 @@ impl Flag {
 }
 
 /// The flags of each answer. `verdicts` is what a model made of each, or empty.
-pub fn flags(study: &Study, answers: &[Answer], verdicts: &[Verdict]) -> Vec<BTreeSet<Flag>> {
+pub fn flags(study: &Study, answers: &[&Answer], verdicts: &[Verdict]) -> Vec<BTreeSet<Flag>> {
     let mut sittings: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     let mut workers: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for (at, answer) in answers.iter().enumerate() {
@@ -118,7 +123,7 @@ pub fn flags(study: &Study, answers: &[Answer], verdicts: &[Verdict]) -> Vec<BTr
         rows.iter().for_each(|&at| all[at].extend([Flag::Twin]));
     }
     for rows in sittings.values() {
-        if rows.iter().any(|&at| is_missed(study, &answers[at])) {
+        if rows.iter().any(|&at| is_missed(study, answers[at])) {
             rows.iter().for_each(|&at| all[at].extend([Flag::Missed]));
         }
     }
@@ -132,7 +137,7 @@ fn own(study: &Study, answer: &Answer) -> BTreeSet<Flag> {
     let example = study.words.example.as_ref().map(|example| plain(&example.command));
     // Of what another program collected nothing is known of how it was done.
     let is_watched = !answer.study.is_empty();
-    let unseen = care.seen_ms.len() < answer.pairs.len()
+    let unseen = care.seen_ms.len() < answer.shown().count()
         || care.seen_ms.iter().any(|&ms| ms < limits.look_ms);
     let flagged = [
         (Flag::Unseen, is_watched && unseen),
@@ -141,6 +146,7 @@ fn own(study: &Study, answer: &Answer) -> BTreeSet<Flag> {
         (Flag::Copied, example.is_some_and(|example| example == answer.plain())),
         (Flag::Foreign, is_foreign(&study.language, &answer.command)),
         (Flag::Simulated, answer.simulated.is_some()),
+        (Flag::Unfit, command(Some(&answer.command)).is_err()),
     ];
     flagged.into_iter().filter(|(_, is)| *is).map(|(flag, _)| flag).collect()
 }

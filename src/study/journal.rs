@@ -155,13 +155,16 @@ impl Sitting {
         let all = self.turns.iter().zip(&self.answers).enumerate();
         let answer = |(at, (turn, said)): (usize, (&Turn, &Option<Said>))| {
             let (item, said) = (study.items.get(turn.item)?, said.as_ref()?);
+            let shows = turn.shows.iter().filter_map(|&at| item.shows.get(at).cloned());
+            let (runs, pairs) = shows.partition(|showing| showing.steps().is_some());
             Some(Answer {
                 format: FORMAT.to_owned(),
                 id: format!("{name}-{}", at + 1),
                 command: said.text.clone(),
                 task: item.task.clone(),
                 worker: self.who.worker.clone(),
-                pairs: turn.shows.iter().filter_map(|&at| item.shows.get(at).cloned()).collect(),
+                pairs,
+                runs,
                 study: self.study.clone(),
                 item: item.id.clone(),
                 turn: [at + 1, self.turns.len()],

@@ -3,6 +3,7 @@
 
 use super::answer::Answer;
 use crate::ccg::{ChartConfig, Model, parse};
+use crate::corpus::Pair;
 use crate::ground::{PairId, Validator};
 use serde::{Deserialize, Serialize};
 
@@ -24,7 +25,6 @@ pub enum Verdict {
 pub struct Judging {
     model: Model,
     validator: Validator,
-    answers: Vec<Answer>,
     verdicts: Vec<Verdict>,
 }
 
@@ -33,21 +33,19 @@ const READINGS: usize = 50;
 
 impl Judging {
     /// Nothing judged yet.
-    pub fn new(model: Model, answers: Vec<Answer>) -> Judging {
-        Judging { model, validator: Validator::new(), answers, verdicts: Vec::new() }
+    pub fn new(model: Model) -> Judging {
+        Judging { model, validator: Validator::new(), verdicts: Vec::new() }
     }
 
-    /// How many are judged, and how many there are.
-    pub fn progress(&self) -> (usize, usize) {
-        (self.verdicts.len(), self.answers.len())
+    /// How many are judged.
+    pub fn progress(&self) -> usize {
+        self.verdicts.len()
     }
 
-    /// Judges one more; whether there was one.
-    pub fn step(&mut self) -> bool {
-        let Some(answer) = self.answers.get(self.verdicts.len()) else { return false };
+    /// Judges one more.
+    pub fn step(&mut self, answer: &Answer) {
         let verdict = judged(&mut self.model, &mut self.validator, answer);
         self.verdicts.push(verdict);
-        true
     }
 
     /// What was made of each, in order.
@@ -60,11 +58,10 @@ fn judged(model: &mut Model, validator: &mut Validator, answer: &Answer) -> Verd
     let config = ChartConfig::of(model);
     let parse = parse(model, &answer.command, config);
     let pairs: Vec<PairId> = answer
-        .pairs
-        .iter()
+        .shown()
         .map(|showing| {
-            let (pre, post) = showing.states();
-            validator.pair(pre, post)
+            let Pair { pre, post, way } = showing.pair();
+            validator.shown(pre, post, way.as_deref())
         })
         .collect();
     let mut best: Option<Vec<bool>> = None;
@@ -83,11 +80,4 @@ fn judged(model: &mut Model, validator: &mut Validator, answer: &Answer) -> Verd
         Some(holds) if holds.iter().any(|&is| is) => Verdict::Some(holds),
         Some(_) => Verdict::None,
     }
-}
-
-/// All of it at once.
-pub fn judge(model: Model, answers: Vec<Answer>) -> Vec<Verdict> {
-    let mut judging = Judging::new(model, answers);
-    while judging.step() {}
-    judging.end()
 }

@@ -1,8 +1,9 @@
 //! Making a study: of tasks, for which pairs are drawn, or of a corpus, whose rows bring their own. In steps, a world
 //! each.
 
-use super::file::{Example as Worked, Item, Rehearsed, Showing, Study};
+use super::file::{Example as Worked, Item, Rehearsed, Study};
 use super::pairs::{DrawError, Drawing};
+use super::showing::Showing;
 use super::tasks::{StudyTask, read_tasks};
 use crate::corpus::{Decision, Example};
 
@@ -22,6 +23,8 @@ pub struct Making {
     tasks: Vec<StudyTask>,
     /// How many pairs an item has.
     pairs: usize,
+    /// Whether they are runs, whatever the goal.
+    has_ways: bool,
     at: usize,
     drawing: Option<Drawing>,
     open: Vec<String>,
@@ -39,7 +42,14 @@ pub struct Made {
 impl Making {
     /// A study like this one, an item for each of these tasks.
     pub fn new(study: Study, tasks: Vec<StudyTask>, pairs: usize) -> Making {
-        Making { study, tasks, pairs, at: 0, drawing: None, open: Vec::new() }
+        Making { study, tasks, pairs, has_ways: false, at: 0, drawing: None, open: Vec::new() }
+    }
+
+    /// Shows the robot's way in every item, in place of what is before and after.
+    #[must_use]
+    pub fn with_ways(mut self) -> Making {
+        self.has_ways = true;
+        self
     }
 
     /// How many items there are, and how many there will be.
@@ -71,9 +81,9 @@ impl Making {
                     task.name, self.pairs
                 ));
             }
-            let (id, task) = (task.name.clone(), Some(task.name.clone()));
-            let (must, rehearsed) = (Vec::new(), Vec::new());
-            self.study.items.push(Item { id, task, shows, must, rehearsed });
+            let (id, label) = (task.name.clone(), Some(task.name.clone()));
+            let (must, rehearsed) = (task.must.clone(), Vec::new());
+            self.study.items.push(Item { id, task: label, shows, must, rehearsed });
             self.at += 1;
             return None;
         }
@@ -85,6 +95,7 @@ impl Making {
             None => Drawing::new(&example(), "example", self.study.shown.max(1), seed),
         };
         match begun {
+            Ok(drawing) if self.has_ways => self.drawing = Some(drawing.with_ways()),
             Ok(drawing) => self.drawing = Some(drawing),
             Err(error) => return Some(Err(error)),
         }

@@ -7,7 +7,7 @@ use super::runs;
 use super::tasks::StudyTask;
 use super::world::world;
 use crate::corpus::Pair;
-use crate::domain::{Movable, Rules, State};
+use crate::domain::{Movable, Rules, State, Way};
 use crate::ground::{Entity, Goal, Task, Validator, lesser};
 use crate::logic::ty::RUN;
 use crate::logic::{TermId, Terms, print, read};
@@ -80,6 +80,8 @@ struct Forms {
     before: Vec<TermId>,
     /// The goal with what holds after besides: where a plan is to end.
     end: TermId,
+    /// Whether the way there is shown where the goal is one of states, too.
+    has_ways: bool,
 }
 
 /// Something else that the pairs could show.
@@ -153,10 +155,17 @@ impl Drawing {
             (Some(_), _) => return Err(bad("what is so after a run is said by its goal".into())),
             (None, after) => term(&format!("(and:<t*,t> {} {})", task.goal, after.join(" ")))?,
         };
-        let forms = Forms { goal, lesser, before, end };
+        let forms = Forms { goal, lesser, before, end, has_ways: false };
         let rng = Pcg64Mcg::seed_from_u64(mixed(seed, name));
         let task = task.clone();
         Ok(Self { task, terms, forms, open, rng, n, pairs: Vec::new(), next: Search::default() })
+    }
+
+    /// Shows the way as well, whatever the goal: runs in place of pairs.
+    #[must_use]
+    pub fn with_ways(mut self) -> Drawing {
+        self.forms.has_ways = true;
+        self
     }
 
     /// How many pairs there are so far.
@@ -254,7 +263,8 @@ fn pair(
         return Err("its goal is too near or too far");
     }
     let post = problem.replay(&plan.actions).pop().unwrap_or_else(|| pre.clone());
-    let pair = Pair::of(pre, post);
+    let way = || Box::new(Way { actions: plan.actions.clone().into(), ..Way::default() });
+    let pair = Pair { pre, post, way: forms.has_ways.then(way) };
     if explains(terms, forms.goal, &pair) { Ok(pair) } else { Err("its plan misses its goal") }
 }
 

@@ -47,14 +47,14 @@ pub fn dues(study: &Study, review: &Review) -> Vec<Due> {
 
 /// The codes of a participant's sittings that were answered to the end.
 fn codes(review: &Review, worker: &str) -> Vec<String> {
-    let mut sittings: BTreeMap<&str, Vec<Answer>> = BTreeMap::new();
+    let mut sittings: BTreeMap<&str, Vec<&Answer>> = BTreeMap::new();
     for row in review.rows.iter().filter(|row| row.answer.worker == worker) {
-        sittings.entry(row.answer.sitting()).or_default().push(row.answer.clone());
+        sittings.entry(row.answer.sitting()).or_default().push(&row.answer);
     }
-    let is_whole = |all: &&Vec<Answer>| {
+    let is_whole = |all: &&Vec<&Answer>| {
         all.iter().all(|one| one.turn[1] == all.len() && !one.study.is_empty())
     };
-    sittings.values().filter(is_whole).map(|all| code(&all[0].study, all)).collect()
+    sittings.values().filter(is_whole).map(|all| code(&all[0].study, all.iter().copied())).collect()
 }
 
 /// The pay sheet as a table.

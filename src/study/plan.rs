@@ -36,8 +36,11 @@ pub fn plan_among(study: &Study, participant: &str, wanted: impl Fn(usize) -> bo
         Order::Shuffled => items = drawn(items.clone(), items.len(), &mut random),
     }
     let turn = |item: usize| {
-        let n = study.items[item].shows.len();
-        Turn { item, shows: drawn((0..n).collect(), study.shown, &mut random) }
+        let all = &study.items[item].shows;
+        let mut shows = drawn((0..all.len()).collect(), study.shown, &mut random);
+        // Pairs before runs, as in an answer.
+        shows.sort_by_key(|&at| all[at].steps().is_some());
+        Turn { item, shows }
     };
     items.into_iter().map(turn).collect()
 }

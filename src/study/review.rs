@@ -1,11 +1,11 @@
 //! Reviewing: answers with their flags beside them, what is decided of each and why, one by one or by a rule; what a rule
 //! decides can be decided otherwise afterwards. Nothing is decided before a person says so.
 
-use super::answer::Answer;
+use super::answer::{Answer, Decided};
 use super::file::Study;
 use super::flags::{Flag, flags};
 use super::judge::Verdict;
-use super::merge::Merged;
+use super::showing::Showing;
 use crate::corpus::{Cells, Decision, Example};
 use std::collections::BTreeSet;
 
@@ -29,22 +29,45 @@ pub struct Review {
     verdicts: Vec<Verdict>,
 }
 
+impl Row {
+    /// The answer as an example of a corpus, with what was decided of it; `rest` fills cells that are kept.
+    pub fn example(&self, rest: Cells) -> Example {
+        let Answer { id, command, task, worker, .. } = &self.answer;
+        Example {
+            id: id.clone(),
+            line: 0,
+            command: command.clone(),
+            task: task.clone(),
+            worker: Some(worker.clone()).filter(|worker| !worker.is_empty()),
+            decision: self.decision.clone(),
+            pairs: self.answer.shown().map(Showing::pair).cloned().collect(),
+            rest,
+            keys: Cells::default(),
+        }
+    }
+}
+
 impl Review {
-    /// The answers of a study that were merged; answers to another study are none of them, and counted.
-    pub fn new(study: &Study, merged: Merged) -> (Review, usize) {
+    /// The answers to a study among those that were merged; and those to another one, which are none of them.
+    pub fn new(study: &Study, answers: Vec<Decided>) -> (Review, Vec<Decided>) {
         let own = study.fingerprint();
         let is_own = |answer: &Answer| answer.study.is_empty() || answer.study == own;
-        let all = merged.answers.into_iter().zip(merged.decided);
-        let (mine, others): (Vec<_>, Vec<_>) = all.partition(|(answer, _)| is_own(answer));
+        let (mine, others): (Vec<_>, Vec<_>) =
+            answers.into_iter().partition(|(answer, _)| is_own(answer));
         let row = |(answer, decision)| Row { answer, flags: BTreeSet::new(), decision };
         let mut review = Review { rows: mine.into_iter().map(row).collect(), verdicts: Vec::new() };
         review.flag(study);
-        (review, others.len())
+        (review, others)
+    }
+
+    /// The answers, with what was decided of each.
+    pub fn into_answers(self) -> impl Iterator<Item = Decided> {
+        self.rows.into_iter().map(|row| (row.answer, row.decision))
     }
 
     /// The answers.
-    pub fn answers(&self) -> Vec<Answer> {
-        self.rows.iter().map(|row| row.answer.clone()).collect()
+    pub fn answers(&self) -> impl Iterator<Item = &Answer> {
+        self.rows.iter().map(|row| &row.answer)
     }
 
     /// Takes in what a model made of each answer.
@@ -92,24 +115,8 @@ impl Review {
         (rejected, approved)
     }
 
-    /// The answers as examples of a corpus, each with what was decided of it; `rest` fills cells that are kept.
-    pub fn examples(&self, rest: impl Fn(&Row) -> Cells) -> Vec<Example> {
-        let example = |row: &Row| Example {
-            id: row.answer.id.clone(),
-            line: 0,
-            command: row.answer.command.clone(),
-            task: row.answer.task.clone(),
-            worker: Some(row.answer.worker.clone()).filter(|worker| !worker.is_empty()),
-            decision: row.decision.clone(),
-            pairs: row.answer.pairs.iter().map(super::file::Showing::pair).collect(),
-            rest: rest(row),
-            keys: Cells::default(),
-        };
-        self.rows.iter().map(example).collect()
-    }
-
     fn flag(&mut self, study: &Study) {
-        let found = flags(study, &self.answers(), &self.verdicts);
+        let found = flags(study, &self.answers().collect::<Vec<&Answer>>(), &self.verdicts);
         for (row, flags) in self.rows.iter_mut().zip(found) {
             row.flags = flags;
         }

@@ -35,6 +35,8 @@ pub struct StudyTask {
     pub doorway: bool,
     /// Forms that some pair has to disprove.
     pub unlike: Vec<String>,
+    /// Words of which a command must have one of each list, where the task is there to see whether somebody looks.
+    pub must: Vec<Vec<String>>,
 }
 
 /// A command for a task.
@@ -117,6 +119,7 @@ pub fn read_tasks(text: &str) -> Result<Vec<StudyTask>, TaskFileError> {
                 apart: false,
                 doorway: false,
                 unlike: Vec::new(),
+                must: Vec::new(),
             });
             continue;
         }
@@ -185,6 +188,7 @@ impl StudyTask {
             apart: says("size"),
             doorway: false,
             unlike: Vec::new(),
+            must: Vec::new(),
         })
     }
 
@@ -197,6 +201,7 @@ impl StudyTask {
             "before" => self.before.push(form(rest)?),
             "after" => self.after.push(form(rest)?),
             "unlike" => self.unlike.push(task(rest)?),
+            "must" => self.must = must(rest)?,
             "rooms" => self.rooms = colors(rest)?,
             "apart" if rest.is_empty() => self.apart = true,
             "doorway" if rest.is_empty() => self.doorway = true,
@@ -206,8 +211,8 @@ impl StudyTask {
             "thing" => self.things.push(look(rest)?),
             _ => {
                 return Err(format!(
-                    "`{word}` is unknown here: use task, says, goal, before, after, rooms, thing, apart, doorway \
-                     or unlike"
+                    "`{word}` is unknown here: use task, says, goal, before, after, rooms, thing, apart, doorway, \
+                     unlike or must"
                 ));
             }
         }
@@ -260,6 +265,27 @@ fn form(text: &str) -> Result<String, String> {
     let term = read(&mut terms, text).map_err(|e| e.to_string())?;
     check(&terms, term).map_err(|e| e.to_string())?;
     Ok(print(&terms, term))
+}
+
+/// The names of the tasks of a file, whatever else is wrong with it.
+pub fn names(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter_map(|line| Some(line.trim().strip_prefix("task ")?.trim()))
+}
+
+/// Words that a command must have, of those with a stroke between them one: `red/crimson room`.
+///
+/// # Errors
+/// That there are none.
+pub fn must(text: &str) -> Result<Vec<Vec<String>>, String> {
+    let any = |words: &str| -> Vec<String> {
+        words.split('/').filter(|word| !word.is_empty()).map(str::to_owned).collect()
+    };
+    let all: Vec<Vec<String>> =
+        text.split_whitespace().map(any).filter(|any| !any.is_empty()).collect();
+    if all.is_empty() {
+        return Err("`must` needs words, like `must red/crimson room`".into());
+    }
+    Ok(all)
 }
 
 fn colors(text: &str) -> Result<Vec<Paint>, String> {

@@ -4,6 +4,7 @@
 use super::learner::Learner;
 use super::protocol::{Event, Form, PairText, Request, RowReading, RunText, Shown, Split};
 use super::read::{parsed, reading, shown, words};
+use super::review;
 use super::shard;
 use super::talker::report;
 use super::training::Training;
@@ -25,6 +26,7 @@ impl Learner {
     pub(super) fn answer_aside(&mut self, request: Request) -> Result<Event, String> {
         let sheet = &mut self.sheet;
         Ok(match request {
+            Request::Study(ask) => review::answer(&mut self.review, ask)?,
             Request::ShowRow { row } => {
                 let example = example(sheet, row)?;
                 Event::Row { row, pairs: pairs(example) }

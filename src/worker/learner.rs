@@ -5,8 +5,9 @@ use super::demonstration::Demonstrating;
 use super::job::{Job, Rest, Role, Step, misdirected};
 use super::progress::{CorpusReading, Read};
 use super::protocol::{
-    Event, FileReport, MappedFile, Program, Request, Rules, Settings, SheetReport,
+    Event, FileReport, MappedFile, Program, Request, Rules, Settings, SheetReport, StudyAsk,
 };
+use super::review::{self, Reviewing};
 use super::shard;
 use super::study;
 use super::teaching::teach;
@@ -28,6 +29,8 @@ pub struct Learner {
     pub(super) training: Option<Training>,
     /// The model that was asked about the rows.
     pub(super) audit: Option<Audit>,
+    /// Answers to a study.
+    pub(super) review: Reviewing,
     /// Whether it is the run that is at work.
     is_training: bool,
 }
@@ -42,7 +45,10 @@ impl Role for Learner {
             Request::Learn { settings, resume } => self.learn(&settings, resume.as_deref()),
             Request::Audit { model, rules } => self.audit(model.as_deref(), rules),
             Request::RunShard { plan, runs } => shard::run(&self.sheet, &plan, runs),
-            Request::Study(ask) => study::begin(ask),
+            Request::Study(StudyAsk::Make { study, tasks, pairs, has_ways, checks }) => {
+                study::make(study::Wanted { study, tasks, pairs, has_ways, checks })
+            }
+            Request::Study(ask) => review::begin(self, ask),
             Request::Teach { model, examples } => teach(&model, examples),
             Request::Demonstrate { command, state, settings } => {
                 let config = self.config(&settings)?;
@@ -61,6 +67,12 @@ impl Role for Learner {
     fn rest(&self) -> Rest {
         let training = self.training.as_ref().filter(|_| self.is_training);
         training.map_or(Rest::Example, Training::rest)
+    }
+}
+
+impl AsMut<Reviewing> for Learner {
+    fn as_mut(&mut self) -> &mut Reviewing {
+        &mut self.review
     }
 }
 

@@ -18,9 +18,10 @@ mod demonstration;
 mod lesson;
 mod teaching;
 mod training;
-mod learner;
 mod shard;
 mod study;
+mod review;
+mod learner;
 mod bench;
 #[cfg(target_arch = "wasm32")]
 pub mod agent;

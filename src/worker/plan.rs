@@ -121,7 +121,7 @@ impl Planning {
         let term = read(&mut terms, form)?;
         let done = |reason, instead| Ok(Begun::Done(Box::new(no_plan(state, reason, instead))));
         let begun = |task: Undertaking, timed| {
-            let at = task.after(run).ok_or(PlanError::OtherWorld)?;
+            let at = task.along(run).ok_or(PlanError::OtherWorld)?;
             let planning = Planning::new(Rc::new(task), timed, (at, run), (rules.luck, is_hasty));
             Ok(Begun::Work(Box::new(planning)))
         };
@@ -140,7 +140,7 @@ impl Planning {
         }
         let world = world(timed.course.movable(said), rules)?;
         let task = Undertaking::course(&timed.course, said, world)?;
-        let at = task.after(run).ok_or(PlanError::OtherWorld)?;
+        let at = task.along(run).ok_or(PlanError::OtherWorld)?;
         let steps = timed.course.done(run);
         timed.come_to(&steps);
         if task.has_failed(at) {
@@ -287,12 +287,6 @@ impl Planning {
             instead,
         }
     }
-}
-
-/// A state of the task's world; nothing if it is one of another.
-pub(super) fn packed(task: &Undertaking, state: &State) -> Option<Packed> {
-    let dynamics = task.dynamics();
-    dynamics.pack(state).ok().filter(|&packed| dynamics.unpack(packed) == *state)
 }
 
 impl Planned {

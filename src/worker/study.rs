@@ -1,29 +1,43 @@
-//! Studies in the learner: pairs are drawn, and answers judged, in steps.
+//! Studies in the learner: pairs are drawn for tasks, in steps.
 
 use super::job::{Job, Step};
-use super::protocol::{Event, StudyAsk, StudySaid};
-use crate::ccg::Model;
-use crate::study::judge::Judging;
+use super::protocol::{Event, StudySaid};
 use crate::study::make::Making;
-use crate::study::{Study, TASKS, merge, read_tasks};
+use crate::study::tasks::must;
+use crate::study::{Study, TASKS, read_tasks};
 
-/// Begins what is asked.
+/// What a study is to be made of.
+pub(super) struct Wanted {
+    /// A study without items.
+    pub(super) study: String,
+    /// The tasks, as a file of them; the corpus's own if it is empty.
+    pub(super) tasks: String,
+    /// Pairs of each item.
+    pub(super) pairs: u32,
+    /// Whether the robot's way is shown in their place, whatever the goal.
+    pub(super) has_ways: bool,
+    /// Tasks that are there to see whether somebody looks, and the words that an answer must have.
+    pub(super) checks: Vec<(String, String)>,
+}
+
+/// Begins to make a study.
 ///
 /// # Errors
 /// In words: what is wrong with the texts.
-pub(super) fn begin<R>(ask: StudyAsk) -> Result<Job<R>, String> {
-    match ask {
-        StudyAsk::Make { study, tasks, pairs } => make(&study, &tasks, pairs),
-        StudyAsk::Judge { model, answers } => judge(&model, &answers),
-    }
-}
-
-fn make<R>(study: &str, tasks: &str, pairs: u32) -> Result<Job<R>, String> {
-    let study: Study = serde_json::from_str(study)
+pub(super) fn make<R>(wanted: Wanted) -> Result<Job<R>, String> {
+    let Wanted { study, tasks, pairs, has_ways, checks } = wanted;
+    let study: Study = serde_json::from_str(&study)
         .map_err(|error| format!("The study cannot be read: {error}."))?;
-    let tasks = if tasks.trim().is_empty() { TASKS } else { tasks };
-    let tasks = read_tasks(tasks).map_err(|error| format!("The tasks cannot be read: {error}."))?;
-    let mut making = Making::new(study, tasks, pairs as usize);
+    let tasks = if tasks.trim().is_empty() { TASKS } else { &tasks };
+    let mut tasks =
+        read_tasks(tasks).map_err(|error| format!("The tasks cannot be read: {error}."))?;
+    for (name, words) in &checks {
+        let task = tasks.iter_mut().find(|task| task.name == *name);
+        let task = task.ok_or_else(|| format!("No task is called {name}, which is to check."))?;
+        task.must = must(words).map_err(|error| format!("The task {name}: {error}."))?;
+    }
+    let making = Making::new(study, tasks, pairs as usize);
+    let mut making = if has_ways { making.with_ways() } else { making };
     let mut told = 0;
     Ok(Box::new(move |_| match making.step() {
         Some(Ok(made)) => {
@@ -37,22 +51,5 @@ fn make<R>(study: &str, tasks: &str, pairs: u32) -> Result<Job<R>, String> {
             let said = StudySaid::Making(done as u32, of as u32);
             Step::Working(is_news.then_some(Event::Study(said)))
         }
-    }))
-}
-
-fn judge<R>(model: &str, answers: &str) -> Result<Job<R>, String> {
-    let model =
-        Model::read(model).map_err(|error| format!("The model cannot be read: {error}."))?;
-    let merged = merge([("", answers)]);
-    let mut judging = Some(Judging::new(model, merged.answers));
-    Ok(Box::new(move |_| {
-        let Some(work) = &mut judging else { return Step::Over(Event::Cancelled) };
-        if work.step() {
-            let (done, of) = work.progress();
-            let said = StudySaid::Judging(done as u32, of as u32);
-            return Step::Working((done.is_multiple_of(8)).then_some(Event::Study(said)));
-        }
-        let verdicts = judging.take().map(Judging::end).unwrap_or_default();
-        Step::Over(Event::Study(StudySaid::Judged(verdicts)))
     }))
 }

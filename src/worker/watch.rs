@@ -1,6 +1,6 @@
 //! What a policy that was found can be asked: what every cell is worth, and what comes of following it many times.
 
-use super::plan::{Planned, packed};
+use super::plan::Planned;
 use super::protocol::{CellValue, Runs, ValueMap};
 use super::solving::{Problem, STEPS, solver};
 use crate::domain::layout::Place;
@@ -36,7 +36,7 @@ impl Valuing {
     /// A map of the world as it is in `state`, when so many steps of a task over time are done; nothing if that is a
     /// state of another world.
     pub(super) fn new(planned: Rc<Planned>, state: &State, done: u8) -> Option<Valuing> {
-        let around = planned.staged(packed(&planned.task, state)?, done);
+        let around = planned.staged(planned.task.packed(state)?, done);
         let all = planned.all.get().is_none().then(|| {
             let settings = Settings::default().with_budget(u64::MAX, STATES);
             let start = planned.task.initial();

@@ -29,6 +29,7 @@ pub(crate) const COMMAND: Command = Command {
               \x20 --study NAME      a study as one file instead, for collect.html: an item a task, 5 pairs each\n\
               \x20 --from CORPUS     an item a row of a corpus instead, with the row's own pairs\n\
               \x20 --rehearsed       keep what was said of each row, rejected rows among them, for ?simulate=SEED\n\
+              \x20 --ways            show the robot's way in every item, in place of what is before and after\n\
               \x20 --settings FILE   JSON of what else a study says: language, shown, asked, order, again, words, hosts,\n\
               \x20                   ends, pay, care\n\
               \n\
@@ -77,6 +78,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
             "study" => options.study.name = Some(arguments.value()?.parse()?),
             "from" => options.study.corpus.push(arguments.value()?.into()),
             "rehearsed" => options.study.rehearsed = true,
+            "ways" => options.study.ways = true,
             "settings" => options.study.settings = Some(arguments.value()?.into()),
             "worlds" => options.worlds = Some(arguments.value()?.parse()?),
             "style" => blueprint.style = arguments.value()?.parse()?,
@@ -90,7 +92,8 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
         match name.as_str() {
             "seed" | "json" => {}
-            "tasks" | "goal" | "pairs" | "runs" | "study" | "from" | "rehearsed" | "settings" => {
+            "tasks" | "goal" | "pairs" | "runs" | "study" | "from" | "rehearsed" | "ways"
+            | "settings" => {
                 of_pairs = Some(name);
             }
             _ => of_worlds = Some(name),

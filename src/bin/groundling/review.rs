@@ -27,7 +27,7 @@ pub(crate) const COMMAND: Command = Command {
               \x20 --model MODEL       ask a model whether each command holds on all the pairs that were shown\n\
               \x20 --reject FLAGS      decide what is open: reject what has one of these, separated by commas\n\
               \x20                     (unseen fast pasted copied same foreign missed some_pairs no_pair unread twin again\n\
-              \x20                     simulated), approve the rest\n\
+              \x20                     simulated unfit), approve the rest\n\
               \x20 --out FILE          the answers as batch results, decisions in Approve and Reject\n\
               \x20 --json-lines        as lines of JSON instead\n\
               \x20 --pseudonyms KEY    with pseudonyms for people\n\
@@ -83,11 +83,11 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         None => Study::new("answers", Vec::new()),
     };
     let Some(merged) = merged(&options)? else { return Ok(Done::Well) };
-    let (doubles, flaws) = (merged.doubles, merged.flaws.clone());
-    let (mut review, others) = Review::new(&study, merged);
+    let Merged { answers, doubles, flaws } = merged;
+    let (mut review, others) = Review::new(&study, answers);
     if let Some(path) = &options.model {
-        let mut judging = Judging::new(speaker(path)?, review.answers());
-        while judging.step() {}
+        let mut judging = Judging::new(speaker(path)?);
+        review.answers().for_each(|answer| judging.step(answer));
         review.judged(&study, judging.end());
     }
     let before = review.clone();
@@ -101,7 +101,7 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     }
     let mut report = report(&study, &review);
     report["doubles"] = doubles.into();
-    report["other_studies"] = others.into();
+    report["other_studies"] = others.len().into();
     report["flaws"] = flaws.len().into();
     if let Some(flags) = &options.reject {
         report["told_apart"] = told_apart(&before, flags);
@@ -149,10 +149,9 @@ fn merged(options: &Options) -> Result<Option<Merged>, Failure> {
     );
     let name = path.display().to_string();
     let flaws = found.flaws.into_iter().map(|flaw| (name.clone(), flaw));
-    let decided = vec![Decision::Open; found.answers.len()];
+    let open = found.answers.into_iter().map(|answer| (answer, Decision::Open));
     Ok(Some(Merged {
-        answers: found.answers,
-        decided,
+        answers: open.collect(),
         doubles: 0,
         flaws: trials.flaws.into_iter().chain(flaws).collect(),
     }))

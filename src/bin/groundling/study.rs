@@ -20,6 +20,8 @@ pub(crate) struct Wanted {
     pub(crate) corpus: Vec<PathBuf>,
     /// Whether what was said of them is kept.
     pub(crate) rehearsed: bool,
+    /// Whether the robot's way is shown, whatever the goal.
+    pub(crate) ways: bool,
     /// What else it says.
     pub(crate) settings: Option<PathBuf>,
 }
@@ -27,8 +29,8 @@ pub(crate) struct Wanted {
 impl Wanted {
     /// Whether one is wanted at all.
     pub(crate) fn is_wanted(&self) -> bool {
-        let Wanted { name, corpus, rehearsed, settings } = self;
-        name.is_some() || !corpus.is_empty() || *rehearsed || settings.is_some()
+        let Wanted { name, corpus, rehearsed, ways, settings } = self;
+        name.is_some() || !corpus.is_empty() || *rehearsed || *ways || settings.is_some()
     }
 }
 
@@ -57,6 +59,9 @@ pub(crate) fn write(
         None if wanted.corpus.is_empty() => {
             return Err(usage("--tasks FILE|all is missing, or --from CORPUS"));
         }
+        None if wanted.ways => {
+            return Err(usage("--ways is for tasks; what --from brings is shown as it is"));
+        }
         None => {
             let rows = examples(&wanted.corpus, wanted.rehearsed)?.examples;
             // Nothing is drawn but the worked example.
@@ -70,7 +75,8 @@ pub(crate) fn write(
             if !(1..=100).contains(&pairs) {
                 return Err(Failure::Usage(format!("--pairs {pairs}: use 1 to 100")));
             }
-            made(Making::new(study, tasks, pairs))?
+            let making = Making::new(study, tasks, pairs);
+            made(if wanted.ways { making.with_ways() } else { making })?
         }
     };
     let text = study.write();

@@ -5,7 +5,7 @@ use super::mapping::SurveyMapping;
 use super::trials::{Trials, at};
 use crate::corpus::{Flaw, Wrong, cell};
 use crate::study::answer::{Answer, Care, FORMAT};
-use crate::study::file::Showing;
+use crate::study::showing::Showing;
 use serde_json::{Map, Value};
 
 /// What came of trials.
@@ -62,6 +62,7 @@ pub fn convert(trials: &Trials, mapping: &SurveyMapping) -> Result<Converted, Wr
             task,
             worker,
             pairs,
+            runs: Vec::new(),
             study: String::new(),
             turn: [1, 1],
             assignment: None,

@@ -61,6 +61,12 @@ pub enum Action {
     Spent(u32, Vec<bool>),
     /// What changed in a showing is to be seen, or no more.
     Point(usize),
+    /// A run is to be played, from its start or from where it is; or to rest.
+    Play(usize),
+    /// A run is to go on by a step.
+    Step(usize),
+    /// It is time for the next step of the run that is played.
+    Ticked,
     /// The command is done.
     Answer,
     /// The end at hand is wanted: send, save, copy, go.

@@ -39,6 +39,8 @@ pub enum Effect {
     },
     /// Ring for `Rested` when nothing was typed for a moment.
     Rest,
+    /// Ring for `Ticked` after so many milliseconds; a ring that is still to come does not.
+    Tick(u32),
     /// Post JSON to an address.
     Post {
         /// The address.

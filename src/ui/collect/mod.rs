@@ -19,6 +19,7 @@ pub mod outbox;
 pub mod state;
 pub mod ending;
 pub mod change;
+pub mod runs;
 mod arrive;
 mod leave;
 mod notes;

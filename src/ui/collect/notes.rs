@@ -3,7 +3,7 @@
 use super::effect::Effect;
 use super::ending;
 use super::outbox::Ending;
-use super::state::{Hold, Stage, State};
+use super::state::{Hold, Runs, Stage, State};
 use crate::study::ends::target;
 use crate::study::file::End;
 use crate::study::journal::{Note, Sitting, Who};
@@ -69,6 +69,7 @@ fn moved(state: &mut State, note: &Note) -> Vec<Effect> {
         (state.text, state.care) = (String::new(), Default::default());
         state.pointed.clear();
     }
+    state.runs = Runs::default();
     if matches!(note, Note::Handed { .. }) {
         state.ending = Ending::default();
     }

@@ -10,6 +10,7 @@ use crate::study::{Care, Link, Study};
 use crate::ui::page::keep::fault::Fault;
 use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Preferences;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// All that the page knows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,6 +53,8 @@ pub struct State {
     pub care: Care,
     /// The showings of which one sees what changed.
     pub pointed: Vec<usize>,
+    /// The runs on view that were begun.
+    pub runs: Runs,
     /// How the end at hand stands.
     pub ending: Ending,
     /// Whether the person was asked whether they are sure to withdraw.
@@ -60,6 +63,17 @@ pub struct State {
     pub over: Option<Over>,
     /// The place that is gone to when all is erased.
     pub way_back: Option<String>,
+}
+
+/// The runs that were begun, by the places of their showings.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Runs {
+    /// How many steps each has gone.
+    pub gone: BTreeMap<usize, usize>,
+    /// The one that is played.
+    pub playing: Option<usize>,
+    /// Those that were watched to their end.
+    pub watched: BTreeSet<usize>,
 }
 
 /// How this tab has the sitting.

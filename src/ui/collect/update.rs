@@ -7,6 +7,7 @@ use super::ending;
 use super::leave::{again, end, ended, withdrawn};
 use super::notes::{keep, noted, who};
 use super::outbox::pause;
+use super::runs::{is_shown, play, step, ticked};
 use super::state::{Hold, Stage, State};
 use crate::study::journal::Note;
 use crate::ui::page::keep::fault::Fault;
@@ -46,6 +47,12 @@ pub fn reduce(state: &mut State, action: Action, now: f64) -> Vec<Effect> {
                 state.care.changes += 1;
             }
         },
+        Action::Play(at) => return play(state, at),
+        Action::Step(at) => {
+            state.runs.playing = None;
+            step(state, at);
+        }
+        Action::Ticked => return ticked(state),
         Action::Answer => return answered(state, now),
         Action::End => return end(state),
         Action::Ended => return ended(state),
@@ -114,10 +121,12 @@ fn spent(state: &mut State, ms: u32, seen: &[bool]) {
     if !matches!(state.stage(), Stage::Turn(_)) {
         return;
     }
+    let shown: Vec<bool> =
+        seen.iter().enumerate().map(|(at, &seen)| seen && is_shown(state, at)).collect();
     let care = &mut state.care;
     care.active_ms = care.active_ms.saturating_add(ms);
-    care.seen_ms.resize(care.seen_ms.len().max(seen.len()), 0);
-    for (sum, _) in care.seen_ms.iter_mut().zip(seen).filter(|(_, seen)| **seen) {
+    care.seen_ms.resize(care.seen_ms.len().max(shown.len()), 0);
+    for (sum, _) in care.seen_ms.iter_mut().zip(shown).filter(|(_, shown)| *shown) {
         *sum = sum.saturating_add(ms);
     }
 }

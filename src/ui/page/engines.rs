@@ -53,7 +53,9 @@ pub fn heard(owner: &mut impl Owner, program: Program, envelope: Envelope<Event>
         Event::Crashed { message } => Some(stopped(owner, program, message)),
         progress @ (Event::Reading { .. }
         | Event::Auditing { .. }
-        | Event::Study(StudySaid::Making(..) | StudySaid::Judging(..))
+        | Event::Study(
+            StudySaid::Making(..) | StudySaid::Bringing(_) | StudySaid::Judging(..),
+        )
         | Event::HeldOut { .. }
         | Event::Paused
         | Event::Progress(_)

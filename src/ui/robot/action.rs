@@ -36,6 +36,9 @@ pub enum Action {
     /// It is time to open it again.
     LinkAgain(u32),
 
+    /// What was kept of how a robot is set up has come, or there is nothing.
+    Recalled(Option<String>),
+
     /// One of the page's worlds is to be that of the robot.
     World(usize),
     /// Its rooms are drawn so.

@@ -5,7 +5,7 @@ use super::drive::event;
 use super::effect::Effect;
 use super::place;
 use super::state::{Said, State};
-use super::think::{RULES, send, wake};
+use super::think::{RULES, anew, send, wake};
 use crate::domain::State as World;
 use crate::robot::Event as Drive;
 use crate::ui::page::engines::News;
@@ -79,15 +79,27 @@ pub(super) fn hear(state: &mut State, news: News) {
         News::Answer(Request::Plan { .. }, Event::Planned(plan)) => {
             if state.pilot.driver.is_thinking() {
                 let states = usable(&plan).then(|| plan.states.clone());
-                // What was to hold on the way does not: it stops, and asks.
-                let asks = states.is_none() && plan.instead.is_some();
-                if let Some(said) = state.said.as_mut().filter(|_| asks) {
-                    said.plan = Some(plan);
-                }
                 event(state, Drive::Again(states));
             } else if let Some(said) = &mut state.said {
                 said.plan = Some(plan);
                 follow(state);
+            }
+        }
+        News::Answer(Request::GoOn { .. }, Event::Planned(plan)) => {
+            let states = usable(&plan).then(|| plan.states.clone());
+            // What was to hold on the way does not: it stops, and asks.
+            let asks = states.is_none() && plan.instead.is_some();
+            if let Some(said) = state.said.as_mut().filter(|_| asks) {
+                said.plan = Some(plan);
+            }
+            event(state, Drive::Again(states));
+        }
+        News::Answer(Request::GoOn { run, .. }, Event::Refused { .. })
+            if state.pilot.driver.is_thinking() =>
+        {
+            let is_asked = run.into_iter().last().is_some_and(|world| anew(state, world));
+            if !is_asked {
+                event(state, Drive::Again(None));
             }
         }
         News::Answer(Request::ReadWorld { .. }, Event::World(world)) => {
@@ -97,7 +109,9 @@ pub(super) fn hear(state: &mut State, news: News) {
             state.undrawn = Some(message);
         }
         News::Stopped if state.pilot.driver.is_thinking() => event(state, Drive::Again(None)),
-        News::Answer(Request::Plan { .. }, _) if state.pilot.driver.is_thinking() => {
+        News::Answer(Request::Plan { .. } | Request::GoOn { .. }, _)
+            if state.pilot.driver.is_thinking() =>
+        {
             event(state, Drive::Again(None));
         }
         News::Answer(..) | News::Progress(_) | News::Stopped => {}

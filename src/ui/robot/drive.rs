@@ -22,7 +22,7 @@ pub(super) fn take(state: &mut State, input: Input) {
                 None => state.wanted.push(Effect::Send(text)),
             },
             Act::Plan(run) => {
-                if !think::again(state, &run) {
+                if !think::again(state, run) {
                     event(state, Event::Again(None));
                 }
             }

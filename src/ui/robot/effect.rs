@@ -25,6 +25,10 @@ pub enum Effect {
     FetchModel,
     /// Get what other words may stand for.
     FetchWords,
+    /// Get what is kept of how a robot is set up.
+    Recall,
+    /// Keep this of it, once nothing has changed for a moment.
+    Keep(String),
     /// The page is in another language.
     Speak(Language),
 }

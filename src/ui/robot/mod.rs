@@ -13,6 +13,7 @@ pub mod state;
 pub mod think;
 pub mod drive;
 pub mod place;
+pub mod kept;
 pub mod ask;
 pub mod update;
 #[cfg(target_arch = "wasm32")]

@@ -67,5 +67,5 @@ pub(super) fn note(state: &mut State) {
 
 fn calibrated(state: &mut State, calibration: Calibration) {
     state.pilot.driver.calibration = Some(calibration);
-    (state.marks, state.uncalibrated) = (None, None);
+    (state.marks, state.uncalibrated, state.is_recalled) = (None, None, false);
 }

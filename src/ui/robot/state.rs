@@ -13,6 +13,7 @@ use crate::ui::page::language::Language;
 use crate::ui::page::preferences::Preferences;
 use crate::ui::page::world::{WORLDS, empty};
 use crate::worker::protocol::{Answer, PlanText, Program};
+use serde::{Deserialize, Serialize};
 
 /// Types that a person can give where the bridge does not tell them.
 pub const TYPES: [(Generation, Command); 3] = [
@@ -75,6 +76,10 @@ pub struct State {
     pub command: String,
     /// What was said last, and what came of it.
     pub said: Option<Said>,
+    /// How it is set up, as it was kept last; nothing before what is kept has come.
+    pub kept: Option<String>,
+    /// Whether the calibration is of an earlier visit.
+    pub is_recalled: bool,
     /// What a screen reader is told.
     pub announcement: String,
     /// What is wanted.
@@ -82,7 +87,8 @@ pub struct State {
 }
 
 /// A robot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Kind {
     /// The page's own.
     Simulated,
@@ -155,6 +161,8 @@ impl State {
             model: None,
             command: String::new(),
             said: None,
+            kept: None,
+            is_recalled: false,
             announcement: String::new(),
             wanted: Vec::new(),
         }

@@ -50,15 +50,36 @@ pub(super) fn send(state: &mut State, request: Request) {
 
 /// Whether something is being thought of.
 pub fn is_asking(state: &State) -> bool {
-    state.talker.is_at(|request| matches!(request, Request::Ask { .. } | Request::Plan { .. }))
+    state.talker.is_at(|request| {
+        matches!(request, Request::Ask { .. } | Request::Plan { .. } | Request::GoOn { .. })
+    })
 }
 
-/// Has a robot think again, from where its run has led; whether there is something to think of.
-pub(super) fn again(state: &mut State, run: &[World]) -> bool {
-    let said = state.said.as_ref();
+/// Has a robot think again, from what its run has come to, for what its command meant where it was said; whether there is
+/// something to think of.
+pub(super) fn again(state: &mut State, run: Vec<World>) -> bool {
+    let said = state.said.as_ref().filter(|_| state.plan().is_some() && !run.is_empty());
     let reading = said.and_then(|said| said.answer.readings.get(said.chosen?));
-    let Some(reading) = reading.filter(|_| !run.is_empty()) else { return false };
-    let request = Request::Plan { form: reading.form.clone(), run: run.to_vec(), rules: RULES };
-    send(state, request);
-    true
+    let form = reading.map(|reading| reading.form.clone());
+    let is_said = form.is_some();
+    if let Some(form) = form {
+        send(state, Request::GoOn { form, run, rules: RULES });
+    }
+    is_said
+}
+
+/// The engine cannot go on with the plan that it keeps, if it keeps one: a goal of states is planned for anew, which loses
+/// nothing; a task over time is not, since what was done of it would be done again.
+pub(super) fn anew(state: &mut State, world: World) -> bool {
+    let said = state
+        .said
+        .as_ref()
+        .filter(|said| said.plan.as_ref().is_some_and(|plan| plan.done.is_empty()));
+    let reading = said.and_then(|said| said.answer.readings.get(said.chosen?));
+    let form = reading.map(|reading| reading.form.clone());
+    let is_said = form.is_some();
+    if let Some(form) = form {
+        send(state, Request::Plan { form, run: vec![world], rules: RULES });
+    }
+    is_said
 }

@@ -4,6 +4,7 @@ use super::action::Action;
 use super::ask;
 use super::drive::{self, event};
 use super::effect::Effect;
+use super::kept;
 use super::place;
 use super::state::{Link, State, Topic};
 use super::think;
@@ -17,7 +18,11 @@ use crate::worker::protocol::{Program, Request};
 /// milliseconds.
 pub fn reduce(state: &mut State, action: Action, now: f64) -> Vec<Effect> {
     state.now = now;
+    let is_passing = matches!(action, Action::Tick(_) | Action::LinkHeard(_));
     act(state, action);
+    if !is_passing {
+        kept::keep(state);
+    }
     std::mem::take(&mut state.wanted)
 }
 
@@ -26,7 +31,7 @@ fn act(state: &mut State, action: Action) {
         Action::Opened(language, is_secure) => {
             (state.language, state.is_secure) = (language, is_secure);
             place::pick(state, 0);
-            state.wanted.push(Effect::Speak(language));
+            state.wanted.extend([Effect::Speak(language), Effect::Recall]);
         }
         Action::Prefers(preferences) => state.preferences = preferences,
         Action::Speak(language) => {
@@ -54,6 +59,8 @@ fn act(state: &mut State, action: Action) {
         Action::LinkClosed => drive::closed(state),
         Action::LinkAgain(tries) => drive::again(state, tries),
         Action::Pick(_) | Action::Address(_) | Action::Name(..) | Action::Types(_) => {}
+
+        Action::Recalled(text) => kept::recall(state, text.as_deref()),
 
         Action::World(at) => place::pick(state, at),
         Action::Drawing(drawing) => state.drawing = drawing,

@@ -1,5 +1,6 @@
 //! What the engine says to the workbench: each message goes to the part that asked.
 
+use super::action::Tab;
 use super::restart::restart;
 use super::state::State;
 use super::{data, experiments, keeping, lexicon, run, study};
@@ -8,7 +9,7 @@ use crate::worker::protocol::{Event, Program, Request};
 
 /// There is news of an engine, or none.
 pub(super) fn told(state: &mut State, news: Option<News>) {
-    let State { desk, data, run, lexicon, study, .. } = state;
+    let State { desk, tab, data, run, lexicon, study, .. } = state;
     match news {
         Some(News::Progress(
             event @ (Event::Progress(_) | Event::HeldOut { .. } | Event::Paused),
@@ -41,10 +42,16 @@ pub(super) fn told(state: &mut State, news: Option<News>) {
             | Request::Compare { .. }),
             event,
         )) => lexicon::hear::answered(lexicon, desk, &request, event),
-        Some(News::Answer(Request::Study(_), event)) => study::hear::answered(study, desk, event),
+        Some(News::Answer(Request::Study(ask), event)) => {
+            if let Some(corpus) = study::hear::answered(study, desk, ask, event) {
+                data::update::update(data, desk, data::Action::Offered(vec![corpus]));
+                *tab = Tab::Data;
+            }
+        }
         Some(News::Answer(request, event)) => data::hear::answered(data, desk, request, event),
         Some(News::Stopped) => {
             (data.reading, data.auditing) = (None, None);
+            (study.making, study.bringing, study.judging) = (None, None, None);
             if run::update::retry(run) {
                 restart(state, Program::Learner);
             }

@@ -41,12 +41,7 @@ pub fn reduce(state: &mut State, action: Action) -> Vec<Effect> {
             *tab = Tab::Data;
         }
         Action::Lexicon(action) => lexicon::update::update(lexicon, desk, action),
-        Action::Study(action) => {
-            if let Some(corpus) = study::update::update(&mut state.study, desk, action) {
-                data::update::update(data, desk, data::Action::Offered(vec![corpus]));
-                *tab = Tab::Data;
-            }
-        }
+        Action::Study(action) => study::update::update(&mut state.study, desk, action),
         Action::Kept(action) => keeping::update(state, action),
 
         Action::Turn(to) => {

@@ -29,7 +29,7 @@ pub use request::{Request, Wanted};
 pub use sheet::{
     Checkpoint, Fault, FileReport, Form, Joined, MappedFile, RowReading, SheetReport, Split,
 };
-pub use study::{StudyAsk, StudySaid};
+pub use study::{AnswerLine, Reviewed, Sheet, StudyAsk, StudySaid};
 pub use talk::{decode_asked, decode_said};
 pub use wire::{Reader, WireError, decode, encode};
 
@@ -49,4 +49,6 @@ pub use crate::learn::sheet::{
     Window,
 };
 pub use crate::plan::Why;
-pub use crate::study::judge::Verdict as AnswerVerdict;
+pub use crate::study::Flag;
+pub use crate::study::coverage::Coverage;
+pub use crate::study::survey::SurveyMapping;

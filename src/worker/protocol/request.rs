@@ -343,6 +343,9 @@ impl Request {
 
     /// Whether it is answered at once and replaces nothing.
     pub const fn is_aside(&self) -> bool {
+        if let Request::Study(ask) = self {
+            return ask.is_aside();
+        }
         matches!(
             self,
             Request::ShowRow { .. }

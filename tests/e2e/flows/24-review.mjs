@@ -18,7 +18,7 @@ const told = (t, demo, pattern) => t.until(`${pattern} is said`, async () =>
 flow('a study is drawn in the page, saved, and opened by who takes part', async (t) => {
   const demo = await openTrain(t);
   await demo.part('study');
-  for (const place of [0, 1]) await demo.page.locator('summary').nth(place).click();
+  for (const place of [0, 1, 2]) await demo.page.locator('summary').nth(place).click();
   await demo.by('study-welcome').fill('Good day, and thank you for coming.');
   await demo.by('study-order').selectOption({ label: 'as they stand in the file' });
   await demo.by('study-tasks').fill(study);
@@ -28,12 +28,16 @@ flow('a study is drawn in the page, saved, and opened by who takes part', async 
   await demo.by('study-pairs').evaluate(() => document.querySelector('[data-testid="study-welcome"]')
     .dispatchEvent(new InputEvent('input', { bubbles: true })));
   await t.equal(() => demo.by('study-pairs').inputValue(), '4', 'what is typed');
+  await demo.by('check-0').selectOption({ label: 'to-bag' });
+  await demo.by('must-0').fill('bag/sack');
+  await demo.by('check-1').waitFor();
   await demo.press('study-make');
   await told(t, demo, /has 1 tasks/);
   await t.accessible('a study in the workbench');
   const file = await demo.saved('study-save');
   const { name, items, order } = JSON.parse(file);
   await t.equal([name, items.length, items[0].shows.length, order], ['Bags', 1, 4, 'fixed'], 'the file');
+  await t.equal(items[0].must, [['bag', 'sack']], 'the check');
   const preview = await demo.by('study-preview').getAttribute('href');
   const seen = new Participant(t, await t.open(`${t.address}${preview}`));
   await seen.by('mark').waitFor();
@@ -43,15 +47,26 @@ flow('a study is drawn in the page, saved, and opened by who takes part', async 
   const person = await takePart(t);
   await person.begin();
   await t.equal(() => person.by('showing').count(), 3, 'three of four pairs');
+  await demo.by('study-ways').check();
+  await demo.press('study-make');
+  await t.until('it is drawn anew', async () => JSON.parse(await demo.saved('study-save')).items[0].shows.every((shown) => shown.actions), 60);
 });
 
-flow('studies in the workbench fit a phone', { viewport: { width: 390, height: 780 } }, async (t) => {
-  const demo = await openTrain(t);
-  await demo.part('study');
-  await t.fits('studies');
-  await t.accessible('studies');
-  await t.shot('collect-review-phone');
-});
+for (const width of [320, 390, 1440, 1920]) {
+  for (const colorScheme of ['light', 'dark']) {
+    flow(`studies in the workbench fit, ${width} pixels and ${colorScheme}`, { viewport: { width, height: 900 }, colorScheme }, async (t) => {
+      const demo = await openTrain(t);
+      await demo.part('study');
+      const all = await demo.page.locator('#workbench summary').count();
+      for (let place = 0; place < all; place += 1) await demo.page.locator('#workbench summary').nth(place).click();
+      await demo.by('check-0').selectOption({ index: 1 });
+      await demo.by('must-0').fill('red/crimson room');
+      await t.fits('studies');
+      await t.accessible('studies');
+      await t.shot(`studies-${width}-${colorScheme}`);
+    });
+  }
+}
 
 flow(`${PEOPLE} simulated participants, and what a reviewer makes of them`, async (t) => {
   t.expect(/another host is asked/);

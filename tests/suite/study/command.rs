@@ -30,6 +30,7 @@ fn answers(study: &Study, seeds: std::ops::Range<u32>) -> Vec<Answer> {
                     task: item.task.clone(),
                     worker: worker.clone(),
                     pairs: turn.shows.iter().map(|&at| item.shows[at].clone()).collect(),
+                    runs: Vec::new(),
                     study: study.fingerprint(),
                     item: item.id.clone(),
                     turn: [at + 1, of],

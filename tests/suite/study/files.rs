@@ -17,6 +17,12 @@ pub(crate) fn showing(step: i32) -> Showing {
     Showing::from(Pair::of(pre, post))
 }
 
+/// A run from where the pairs begin, with a step north as its contrast.
+pub(crate) fn run(actions: &str) -> Showing {
+    let start = showing(1).states().0.clone();
+    Showing::from(groundling::corpus::run::of(start, actions, &["n".into()]).unwrap())
+}
+
 /// An item of so many showings.
 pub(crate) fn item(id: &str, shows: usize) -> Item {
     let shows = vec![showing(1); shows];
@@ -84,9 +90,43 @@ fn a_bad_study_is_refused_in_words() {
         assert!(said.contains(wanted), "{said}\n{wanted}");
     }
     let mut outside = study(1);
-    let Showing::Pair { pre, .. } = &mut outside.items[0].shows[2];
+    let (pre, post) = outside.items[0].shows[2].states();
+    let (mut pre, post) = (pre.clone(), post.clone());
     pre.agent.x = 900;
+    outside.items[0].shows[2] = Showing::from(Pair::of(pre, post));
     assert!(Study::read(&outside.write()).unwrap_err().to_string().contains("the item i0: "));
+}
+
+#[test]
+fn a_run_takes_a_pairs_place() {
+    let mut all = study(1);
+    let start = showing(1).states().0.clone();
+    all.items[0].shows = vec![run("eew"), showing(1), run("e"), showing(1)];
+    all.shown = 4;
+    let text = all.write();
+    assert!(text.contains("\"actions\":\"eew\",\"contrast\":[\"n\"]"), "{text}");
+    let read = Study::read(&text).unwrap();
+    assert_eq!(read, all);
+    let shown = &read.items[0].shows[0];
+    assert_eq!((shown.steps(), showing(1).steps()), (Some(3), None));
+    assert_eq!([0, 1, 2, 3].map(|steps| shown.behind(steps).agent.x - start.agent.x), [0, 1, 2, 1]);
+    assert_eq!(shown.behind(9), *shown.states().1);
+    for (bad, why) in [
+        (text.replace("eew", "exw"), "no action is called 'x'"),
+        (
+            text.replace("\"actions\":\"eew\",", ""),
+            "a pair is {pre, post}, a run is {start, actions}",
+        ),
+    ] {
+        let said = Study::read(&bad).unwrap_err().to_string();
+        assert!(said.contains(why), "{said}");
+    }
+    for person in ["a", "b", "c", "d"] {
+        let [turn] = &plan(&read, person)[..] else { panic!("one turn") };
+        let runs: Vec<bool> =
+            turn.shows.iter().map(|&at| read.items[0].shows[at].steps().is_some()).collect();
+        assert_eq!(runs, [false, false, true, true], "pairs stand before runs, as in an answer");
+    }
 }
 
 #[test]

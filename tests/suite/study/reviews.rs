@@ -23,6 +23,7 @@ fn answer(study: &Study, worker: &str, turn: usize, command: &str) -> Answer {
         task: item.task.clone(),
         worker: worker.into(),
         pairs: vec![showing(1); 3],
+        runs: Vec::new(),
         study: study.fingerprint(),
         item: item.id.clone(),
         turn: [turn + 1, study.items.len()],
@@ -35,7 +36,7 @@ fn answer(study: &Study, worker: &str, turn: usize, command: &str) -> Answer {
 }
 
 fn review(study: &Study, answers: &[Answer]) -> Review {
-    Review::new(study, merge([("a.jsonl", lines(answers).as_str())])).0
+    Review::new(study, merge([("a.jsonl", lines(answers).as_str())]).answers).0
 }
 
 #[test]
@@ -52,7 +53,7 @@ fn files_are_merged_in_any_order() {
     let other = merge([("2", second.as_str()), ("1", first.as_str()), ("2", second.as_str())]);
     assert_eq!((one.doubles, other.doubles), (1, 5));
     assert_eq!(one.answers, other.answers);
-    let ids: Vec<&str> = one.answers.iter().map(|answer| answer.id.as_str()).collect();
+    let ids: Vec<&str> = one.answers.iter().map(|(answer, _)| answer.id.as_str()).collect();
     assert_eq!(ids, ["a-1", "a-2", "b-1", "b-2", "c-1", "c-2"]);
     let posted = serde_json::json!({ "key": "k", "answers": all }).to_string();
     assert_eq!(merge([("p", posted.as_str())]).answers, one.answers);
@@ -71,8 +72,8 @@ fn what_is_no_answer_costs_itself_alone() {
     let merged = merge([("a.jsonl", text.as_str())]);
     assert_eq!(merged.answers.len(), 1);
     assert!(!merged.flaws.is_empty());
-    let others = Review::new(&self::study(2), merge([("a", good.as_str())]));
-    assert_eq!((others.0.rows.len(), others.1), (0, 1), "of another study");
+    let others = Review::new(&self::study(2), merge([("a", good.as_str())]).answers);
+    assert_eq!((others.0.rows.len(), others.1.len()), (0, 1), "of another study");
 }
 
 #[test]
@@ -104,6 +105,8 @@ fn flags_are_raised_for_what_they_say() {
     assert_eq!(with(&|a| a.command = "geh in den roten raum".into()), ["foreign"]);
     assert_eq!(with(&|a| a.command = "иди в комнату".into()), ["foreign"]);
     assert_eq!(with(&|a| a.simulated = Some(false)), ["simulated"]);
+    assert_eq!(with(&|a| a.command = "?!".into()), ["unfit"]);
+    assert_eq!(with(&|a| a.command = "go east ".repeat(300)), ["unfit"]);
     let mut missed = good("a");
     missed[1].command = "somewhere".into();
     assert!(of(&missed, &[]).iter().all(|flags| flags.contains("missed")));
@@ -186,7 +189,7 @@ fn the_pay_sheet_says_what_is_owed() {
     let due = &dues(&study, &review)[0];
     assert_eq!((due.answers, due.cents, due.active_ms), ([2, 1, 1], Some(125), 18_000));
     let text = sheet(&study, &review);
-    let code = code(&study.fingerprint(), &review.answers()[..2]);
+    let code = code(&study.fingerprint(), review.answers().take(2));
     let line = format!("\"'=b\",2,1,1,0.3,1.25,\"€\",{code}");
     assert_eq!(text.lines().nth(1), Some(line.as_str()));
     assert_eq!(text.lines().count(), 2, "nobody pays a simulation");
@@ -238,8 +241,8 @@ fn what_is_saved_is_read_back_whole() {
         }
         let back = merge([("back", text.as_str())]);
         if !is_json {
-            assert_eq!(back.answers[0].worker, "=cmd|' /C calc'!A0");
-            assert_eq!(back.decided[..2].iter().filter(|d| **d == Decision::Open).count(), 0);
+            assert_eq!(back.answers[0].0.worker, "=cmd|' /C calc'!A0");
+            assert!(back.answers[..2].iter().all(|(_, decided)| *decided != Decision::Open));
         }
     }
 }

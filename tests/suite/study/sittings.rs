@@ -1,6 +1,6 @@
 //! Sittings: notes that were cut off anywhere make a sitting that goes on, and nothing is lost or doubled.
 
-use super::files::study;
+use super::files::{run, showing, study};
 use groundling::study::journal::{Note, Sitting, Who};
 use groundling::study::plan::plan;
 use groundling::study::{Care, Study};
@@ -96,4 +96,29 @@ fn who_comes_by_the_same_link_comes_back() {
             .sitting("s")
     };
     assert_ne!(split("ab", "c"), split("a", "bc"), "names do not run into one another");
+}
+
+#[test]
+fn what_was_said_of_runs_is_a_line_of_a_corpus() {
+    let mut study = study(1);
+    study.items[0].shows = vec![run("ee"), showing(1), run("e")];
+    let notes = [begun(&study), Note::Ready, answered(0, "go east")];
+    let answers = Sitting::of(&notes).unwrap().answers(&study);
+    assert_eq!((answers[0].pairs.len(), answers[0].runs.len()), (1, 2));
+    let lines = groundling::study::answer::lines(&answers);
+    let merged = groundling::study::merge([("a.jsonl", lines.as_str())]);
+    assert_eq!(merged.answers[0].0, answers[0]);
+    let (review, _) = groundling::study::Review::new(&study, merged.answers);
+    for is_json in [false, true] {
+        let style = groundling::study::export::Style { is_json, ..Default::default() };
+        let mut bytes = Vec::new();
+        groundling::study::export::write(&review, &style, &mut bytes).unwrap();
+        for bytes in [bytes.as_slice(), lines.as_bytes()] {
+            let (corpus, flaws) = groundling::corpus::read(bytes, Default::default());
+            let pairs = &corpus.examples[0].pairs;
+            assert!(flaws.is_empty(), "{flaws:?}");
+            assert_eq!(pairs.iter().filter(|pair| pair.way.is_some()).count(), 2);
+            assert_eq!(pairs.len(), 3);
+        }
+    }
 }

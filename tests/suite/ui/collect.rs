@@ -1,11 +1,12 @@
 //! The page that asks, as its reducer has it: coming, answering, ending, leaving, and all that may go wrong with the store,
 //! with no browser.
 
-use crate::study::files::study as sample;
+use crate::study::files::{run, study as sample};
 use groundling::study::ends::{Refusal, Source};
 use groundling::study::journal::Note;
 use groundling::study::{End, Link, Study};
 use groundling::ui::collect::action::{Kept, Trouble};
+use groundling::ui::collect::runs::on_view;
 use groundling::ui::collect::state::{Over, Stage};
 use groundling::ui::collect::{Action, Effect, State, reduce};
 use groundling::ui::page::keep::fault::Fault;
@@ -337,4 +338,42 @@ fn a_link_without_a_study_is_trouble() {
     assert_eq!(wanted, [Effect::Unpack]);
     reduce(&mut state, Action::Came(Err(Trouble::Unnamed)), 0.0);
     assert_eq!((state.stage(), state.language), (Stage::Trouble, Language::German));
+}
+
+#[test]
+fn a_run_is_played_and_not_seen_before_its_end() {
+    let mut study = study(vec![End::Code]);
+    study.shown = 2;
+    for item in &mut study.items {
+        item.shows = vec![run("ee"), run("e")];
+    }
+    let mut person = Person::comes(&study, "?participant=anna", Source::Hosted);
+    person.begins();
+    let steps: Vec<usize> =
+        on_view(&person.state).iter().map(|showing| showing.steps().unwrap()).collect();
+    let (long, short) = if steps == [2, 1] { (0, 1) } else { (1, 0) };
+    let ticks = |person: &Person| {
+        person.wanted.iter().filter(|effect| matches!(effect, Effect::Tick(_))).count()
+    };
+    person.act(Action::Spent(500, vec![true, true]));
+    assert_eq!(person.state.care.seen_ms, [0, 0], "in sight, and not played");
+    person.act(Action::Play(long));
+    person.act(Action::Ticked);
+    assert_eq!((person.state.runs.gone[&long], ticks(&person)), (1, 2));
+    person.act(Action::Play(long));
+    person.act(Action::Ticked);
+    assert_eq!((person.state.runs.gone[&long], ticks(&person)), (1, 2), "it rests");
+    person.act(Action::Step(long));
+    person.act(Action::Step(long));
+    assert_eq!(person.state.runs.gone[&long], 2, "it goes no further than its end");
+    person.act(Action::Spent(500, vec![true, true]));
+    assert_eq!(person.state.care.seen_ms[long], 500);
+    assert_eq!(person.state.care.seen_ms[short], 0);
+    person.act(Action::Play(short));
+    person.act(Action::Play(long));
+    person.act(Action::Ticked);
+    assert_eq!(person.state.runs.playing, Some(long), "one at once, and again from its start");
+    assert_eq!((person.state.runs.gone[&long], person.state.runs.gone[&short]), (1, 0));
+    person.says("go");
+    assert_eq!(person.state.runs, Default::default(), "the next turn begins anew");
 }

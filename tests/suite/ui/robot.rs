@@ -1,8 +1,9 @@
 //! The page that drives a robot, as its reducer has it, with the engine that talks behind it and no browser: the simulated
 //! robot from the first press to the end of a command, and what a link does.
 
-use groundling::robot::Stage;
+use groundling::domain::State as World;
 use groundling::robot::address::{Fault, address};
+use groundling::robot::{Calibration, Pose, Stage, Told};
 use groundling::ui::page::language::Language;
 use groundling::ui::robot::state::{Kind, Link, Topic};
 use groundling::ui::robot::talker::named;
@@ -17,14 +18,21 @@ struct Page {
     state: State,
     talker: Engine<Talker>,
     now: f64,
-    /// What was wanted and is none of the engine's.
+    /// What the store has.
+    kept: Option<String>,
+    /// What was wanted and is none of the engine's or the store's.
     wanted: Vec<Effect>,
 }
 
 impl Page {
     fn open(is_secure: bool) -> Page {
-        let mut page =
-            Page { state: State::new(), talker: Engine::new(), now: 0.0, wanted: Vec::new() };
+        Page::again(is_secure, None)
+    }
+
+    /// The page with what an earlier visit kept.
+    fn again(is_secure: bool, kept: Option<String>) -> Page {
+        let (state, talker) = (State::new(), Engine::new());
+        let mut page = Page { state, talker, now: 0.0, kept, wanted: Vec::new() };
         page.act(Action::Opened(Language::English, is_secure));
         page
     }
@@ -46,6 +54,11 @@ impl Page {
                         }));
                     }
                     said
+                }
+                Effect::Recall => vec![Action::Recalled(self.kept.clone())],
+                Effect::Keep(text) => {
+                    self.kept = Some(text);
+                    Vec::new()
                 }
                 // The engine always answers here.
                 Effect::Watch(..) => Vec::new(),
@@ -113,6 +126,72 @@ fn a_simulated_robot_does_what_it_is_told() {
     let agent = page.state.bridge.as_ref().unwrap().base.state().agent;
     assert!(agent.x < 4, "{agent:?} is not in the blue room, the biggest");
     assert!(page.wanted.iter().all(|effect| matches!(effect, Effect::Speak(_))));
+}
+
+#[test]
+fn what_was_done_of_a_sequence_is_not_done_again_behind_a_surprise() {
+    let mut page = Page::armed();
+    page.act(Action::Typed("go to the red room, then to the blue room".to_owned()));
+    page.act(Action::Ask);
+    assert!(page.state.plan().is_some_and(|plan| !plan.done.is_empty()), "{:?}", page.state.said);
+    page.act(Action::Held(true));
+    let is_red = |world: &World| world.agent.y > 5 && world.agent.x > 4;
+    let was_red = |state: &State| {
+        let run = state.pilot.driver.run();
+        run.iter().any(is_red) && !run.last().is_some_and(is_red)
+    };
+    assert!(page.until(300_000.0, was_red), "{:?}", page.state.told);
+    let before = page.state.pilot.driver.run().len();
+    // Somebody moves the block, and the robot is surprised.
+    page.state.bridge.as_mut().unwrap().base.things[0] = [0.5 * 5.0, 0.5 * 7.0];
+    assert!(page.until(60_000.0, |state| state.told == Some(Told::Rethinks)));
+    assert!(page.until(300_000.0, |state| state.pilot.driver.stage == Stage::Ready));
+    assert_eq!(page.state.told, Some(Told::Arrived));
+    let run = page.state.pilot.driver.run();
+    assert!(run.len() > before && !run[before..].iter().any(is_red), "not to the red room again");
+    assert!(page.state.bridge.as_ref().unwrap().base.state().agent.x < 4, "but to the blue one");
+}
+
+#[test]
+fn a_robot_is_found_as_it_was_set_up() {
+    let mut page = Page::open(false);
+    assert_eq!(page.kept, None, "nothing was set up");
+    page.act(Action::Pick(Kind::Real));
+    page.act(Action::Address("ws://robot:9090".to_owned()));
+    page.act(Action::Name(Topic::Velocity, "/turtle/cmd_vel".to_owned()));
+    page.act(Action::Types(Some(2)));
+    page.act(Action::World(1));
+    page.act(Action::Name(Topic::Object(0), "/tracked/chair".to_owned()));
+    page.act(Action::Speed(0.1));
+    let agent = page.state.world.agent;
+    let seen = Pose { x: 1.5, y: -2.0, heading: 0.3 };
+    page.state.pilot.driver.calibration = Some(Calibration::here(0.4, &agent, seen));
+    page.act(Action::Prefers(Default::default()));
+    let mut next = Page::again(false, page.kept.clone());
+    assert_eq!(next.state.wiring, page.state.wiring);
+    assert_eq!((next.state.kind, next.state.address.as_str()), (Kind::Real, "ws://robot:9090"));
+    assert_eq!((next.state.world.clone(), next.state.preset), (page.state.world.clone(), Some(1)));
+    assert_eq!(next.state.pilot.driver.calibration, page.state.pilot.driver.calibration);
+    assert!(next.state.is_recalled, "which a person is told");
+    assert_eq!((next.state.limits().speed, next.state.link), (0.1, Link::Off));
+    assert_eq!(next.state.pilot.driver.stage, Stage::Off, "that it may be driven is not kept");
+    next.act(Action::World(0));
+    assert!(!next.state.is_recalled && next.state.pilot.driver.calibration.is_none());
+    // What is none, and what comes when somebody has begun, changes nothing.
+    let fresh = Page::open(false);
+    let broken = [
+        "{".to_owned(),
+        page.kept.clone().unwrap().replace("robot 1", "robot 9"),
+        page.kept.clone().unwrap().replace("\"turn\":[", "\"turn\":[0.0,0.0],\"turn\":["),
+    ];
+    for text in broken {
+        let page = Page::again(false, Some(text));
+        assert_eq!((page.state.kind, page.state.preset), (fresh.state.kind, fresh.state.preset));
+    }
+    let mut late = Page::open(false);
+    late.act(Action::Address("ws://mine:9090".to_owned()));
+    late.act(Action::Recalled(page.kept.clone()));
+    assert_eq!(late.state.address, "ws://mine:9090");
 }
 
 #[test]

@@ -32,12 +32,13 @@ pub(super) struct Effects {
     act: Callback<Action>,
     journal: Rc<RefCell<Option<Rc<Journal>>>>,
     rest: Rc<RefCell<Option<Timeout>>>,
+    tick: Rc<RefCell<Option<Timeout>>>,
 }
 
 impl Effects {
     /// Results go to `act`.
     pub(super) fn new(act: Callback<Action>) -> Effects {
-        Effects { act, journal: Rc::default(), rest: Rc::default() }
+        Effects { act, journal: Rc::default(), rest: Rc::default(), tick: Rc::default() }
     }
 
     /// Carries effects out; those of the journal in their order.
@@ -45,15 +46,11 @@ impl Effects {
         for effect in effects {
             let this = self.clone();
             match effect {
-                Effect::Rest => {
-                    let act = self.act.clone();
-                    let timer = Timeout::new(REST, move || act.emit(Action::Rested));
-                    // The timer before it is dropped, and does not ring.
-                    self.rest.replace(Some(timer));
-                }
+                // The timer before it is dropped, and does not ring.
+                Effect::Rest => drop(self.rest.replace(Some(self.ring(REST, Action::Rested)))),
+                Effect::Tick(ms) => drop(self.tick.replace(Some(self.ring(ms, Action::Ticked)))),
                 Effect::Retry(ms) => {
-                    let act = self.act.clone();
-                    Timeout::new(ms, move || act.emit(Action::Again)).forget();
+                    self.ring(ms, Action::Again).forget();
                 }
                 Effect::Save { name, text } => {
                     // A browser that makes no file says so itself.
@@ -73,6 +70,12 @@ impl Effects {
                 }),
             }
         }
+    }
+
+    /// A timer that says something after so many milliseconds.
+    fn ring(&self, ms: u32, action: Action) -> Timeout {
+        let act = self.act.clone();
+        Timeout::new(ms, move || act.emit(action))
     }
 
     /// What comes of an effect that takes a while.

@@ -1,28 +1,25 @@
 //! A turn: its pictures, what changed in them, and the box for the command. And the worked example, which looks alike.
 
+use crate::domain::State as World;
 use crate::render::Options;
 use crate::study::Showing;
 use crate::ui::collect::action::Action;
 use crate::ui::collect::change::changed;
+use crate::ui::collect::runs::on_view;
 use crate::ui::collect::state::State;
 use crate::ui::collect::words::Text;
 use crate::ui::page::view::picture::Picture;
 use js_sys::Reflect;
 use web_sys::{HtmlTextAreaElement, InputEvent, KeyboardEvent, SubmitEvent};
-use yew::{Callback, Html, TargetCast, html};
+use yew::{AttrValue, Callback, Html, TargetCast, html};
 
 /// A turn, from 0.
 pub(super) fn turn(state: &State, at: usize, act: &Callback<Action>) -> Html {
     let text = Text::of(state.language);
-    let Some(((study, _), sitting)) = state.study.as_ref().zip(state.sitting.as_ref()) else {
+    let Some(sitting) = &state.sitting else {
         return Html::default();
     };
-    let Some((turn, item)) =
-        sitting.turns.get(at).and_then(|turn| Some((turn, study.items.get(turn.item)?)))
-    else {
-        return Html::default();
-    };
-    let shows: Vec<&Showing> = turn.shows.iter().filter_map(|&at| item.shows.get(at)).collect();
+    let shows = on_view(state);
     let typed = act.reform(|event: InputEvent| {
         // Not every program that types for a person says how.
         let kind = Reflect::get(&event, &"inputType".into()).ok().and_then(|kind| kind.as_string());
@@ -84,27 +81,30 @@ pub(super) fn showings(state: &State, shows: &[&Showing], act: &Callback<Action>
 
 fn one(state: &State, at: usize, showing: &Showing, act: &Callback<Action>) -> Html {
     let text = Text::of(state.language);
-    let is_pointed = state.pointed.contains(&at);
-    let (pre, post) = showing.states();
-    let [from, to] = if is_pointed { changed(showing) } else { Default::default() };
-    let picture = |world: &crate::domain::State, highlight, words: &'static str| {
-        let theme = state.preferences.theme;
-        let options = Options { theme, letters: true, highlight, ..Options::default() };
-        let label = format!("{words}: {}", text.grammar.world(world));
-        html! {
-            <figure>
-                <figcaption>{ words }</figcaption>
-                <Picture world={world.clone()} {options} {label} />
-            </figure>
-        }
+    let inner = match showing.steps() {
+        None => pair(state, at, showing, act),
+        Some(steps) => run(state, (at, steps), showing, act),
     };
-    let id = format!("change-{}", at + 1);
     html! {
         <li data-showing="" data-testid="showing">
             <h2>{ (text.showing)(at + 1) }</h2>
+            { inner }
+        </li>
+    }
+}
+
+/// Before and after, and what changed on demand.
+fn pair(state: &State, at: usize, showing: &Showing, act: &Callback<Action>) -> Html {
+    let text = Text::of(state.language);
+    let is_pointed = state.pointed.contains(&at);
+    let (pre, post) = showing.states();
+    let [from, to] = if is_pointed { changed(showing) } else { Default::default() };
+    let id = format!("change-{}", at + 1);
+    html! {
+        <>
             <div class="both">
-                { picture(pre, from, text.before) }
-                { picture(post, to, text.after) }
+                { picture(state, pre, from, text.before) }
+                { picture(state, post, to, text.after) }
             </div>
             <button type="button" class="quiet" data-testid={id} aria-pressed={is_pointed.to_string()}
                 onclick={act.reform(move |_| Action::Point(at))}>
@@ -114,7 +114,56 @@ fn one(state: &State, at: usize, showing: &Showing, act: &Callback<Action>) -> H
             <p class="changed unseen" aria-live="polite">
                 if is_pointed { { text.grammar.change(pre, post) } }
             </p>
-        </li>
+        </>
+    }
+}
+
+/// A run: where the robot is on its way, and what has it go on.
+fn run(
+    state: &State,
+    (at, steps): (usize, usize),
+    showing: &Showing,
+    act: &Callback<Action>,
+) -> Html {
+    let text = Text::of(state.language);
+    let gone = state.runs.gone.get(&at).copied().unwrap_or(0);
+    let is_playing = state.runs.playing == Some(at);
+    let (world, (start, _)) = (showing.behind(gone), showing.states());
+    let named = |name: &str| format!("{name}-{}", at + 1);
+    html! {
+        <>
+            { picture(state, &world, Vec::new(), (text.step)(gone, steps)) }
+            <p class="buttons">
+                <button type="button" class="plain" data-testid={named("play")}
+                    onclick={act.reform(move |_| Action::Play(at))}>
+                    { if is_playing { text.pause } else { text.play } }
+                </button>
+                <button type="button" class="quiet" data-testid={named("step")} disabled={gone == steps}
+                    onclick={act.reform(move |_| Action::Step(at))}>{ text.one_step }</button>
+            </p>
+            // As above; while it plays there is no time to be told of every step.
+            <p class="changed unseen" aria-live="polite">
+                if gone > 0 && !is_playing { { text.grammar.change(start, &world) } }
+            </p>
+        </>
+    }
+}
+
+fn picture(
+    state: &State,
+    world: &World,
+    highlight: Vec<(i32, i32)>,
+    words: impl Into<AttrValue>,
+) -> Html {
+    let (text, words) = (Text::of(state.language), words.into());
+    let theme = state.preferences.theme;
+    let options = Options { theme, letters: true, highlight, ..Options::default() };
+    let label = format!("{words}: {}", text.grammar.world(world));
+    html! {
+        <figure>
+            <figcaption>{ words }</figcaption>
+            <Picture world={world.clone()} {options} {label} />
+        </figure>
     }
 }
 

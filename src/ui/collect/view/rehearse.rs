@@ -3,6 +3,7 @@
 
 use super::sight::in_sight;
 use crate::ui::collect::action::Action;
+use crate::ui::collect::runs::{is_shown, on_view};
 use crate::ui::collect::state::{Stage, State};
 use wasm_bindgen::JsCast;
 use web_sys::{Document, Event, EventInit, HtmlElement, HtmlTextAreaElement};
@@ -20,7 +21,9 @@ pub(super) fn step(state: &State, act: &Callback<Action>) {
         Stage::Instructions => press(&document, "ready"),
         Stage::Turn(at) => {
             let Some(one) = script.acts.get(at) else { return };
-            if state.text != one.words {
+            if let Some(run) = (0..on_view(state).len()).find(|&run| !is_shown(state, run)) {
+                press(&document, &format!("step-{}", run + 1));
+            } else if state.text != one.words {
                 act.emit(Action::Spent(one.looks_ms, in_sight()));
                 write(&document, &one.words);
             } else {

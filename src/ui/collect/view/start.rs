@@ -33,10 +33,13 @@ pub(super) fn instructions(state: &State, act: &Callback<Action>) -> Html {
     let text = Text::of(state.language);
     let Some((study, _)) = &state.study else { return Html::default() };
     let words = &study.words;
+    let mut shows = study.items.iter().flat_map(|item| &item.shows);
+    let has_runs = shows.any(|showing| showing.steps().is_some());
+    let usual = if has_runs { text.instructions_runs } else { text.instructions };
     html! {
         <section class="card" aria-labelledby="heading">
             <h1 id="heading" tabindex="-1">{ text.instructions_title }</h1>
-            { paragraphs(words.instructions.as_deref().unwrap_or(text.instructions)) }
+            { paragraphs(words.instructions.as_deref().unwrap_or(usual)) }
             if let Some(example) = &words.example {
                 <h2 class="example">{ text.example }</h2>
                 { showings(state, &example.shows.iter().collect::<Vec<&Showing>>(), act) }

@@ -56,7 +56,7 @@ async fn act(
         "export" => {
             if let Some((bytes, _)) = store.read(kind, name).await? {
                 let end = match kind {
-                    "session" | "run" => "json",
+                    "session" | "run" | "robot" => "json",
                     "model" => "model",
                     _ => "txt",
                 };

@@ -18,6 +18,7 @@ pub(super) static ENGLISH: Text = Text {
         ("run", "Training run"),
         ("model", "Model"),
         ("sitting", "What you answered in a study"),
+        ("robot", "How your robot is set up"),
     ],
     save: "Save as a file",
     delete: "Delete",

@@ -18,6 +18,7 @@ pub(super) static GERMAN: Text = Text {
         ("run", "Lauf des Trainings"),
         ("model", "Modell"),
         ("sitting", "Deine Antworten in einer Studie"),
+        ("robot", "Wie dein Roboter eingerichtet ist"),
     ],
     save: "Als Datei sichern",
     delete: "Löschen",

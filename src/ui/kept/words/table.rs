@@ -9,7 +9,7 @@ pub struct Text {
     pub what: &'static str,
     pub when: &'static str,
     pub size: &'static str,
-    pub kinds: [(&'static str, &'static str); 7],
+    pub kinds: [(&'static str, &'static str); 8],
     pub save: &'static str,
     pub delete: &'static str,
     pub delete_all: &'static str,
@@ -21,9 +21,9 @@ impl Text {
     pub fn item(&self, kind: &str, name: &str) -> String {
         let known = |wanted: &str| self.kinds.iter().find(|(known, _)| *known == wanted);
         match (kind, known(name), known(kind)) {
-            ("session", Some((_, words)), _) | ("session", None, Some((_, words))) => {
-                (*words).to_owned()
-            }
+            ("session", Some((_, words)), _)
+            | ("session", None, Some((_, words)))
+            | ("robot", _, Some((_, words))) => (*words).to_owned(),
             (_, _, Some((_, words))) => format!("{words}: {name}"),
             (..) => format!("{kind} {name}"),
         }

@@ -58,7 +58,7 @@ fn Number(props: &NumberProps) -> Html {
 
 /// A line of text, of which every change is told.
 pub(crate) fn line(
-    id: &'static str,
+    id: impl Into<AttrValue>,
     label: &'static str,
     kind: &'static str,
     value: &str,
@@ -67,10 +67,11 @@ pub(crate) fn line(
     let typed = change.reform(|event: InputEvent| {
         event.target_dyn_into::<HtmlInputElement>().map_or(String::new(), |input| input.value())
     });
+    let id: AttrValue = id.into();
     html! {
-        <label class="field grow" for={id}>
+        <label class="field grow" for={&id}>
             <span>{ label }</span>
-            <input {id} type={kind} data-testid={id} value={value.to_owned()} oninput={typed} autocomplete="off" />
+            <input id={&id} type={kind} data-testid={&id} value={value.to_owned()} oninput={typed} autocomplete="off" />
         </label>
     }
 }

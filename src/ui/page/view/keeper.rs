@@ -97,14 +97,14 @@ impl Keeper {
                     .map(|(text, damaged)| (forms::packed(forms.read_session(&text)), damaged));
                 News::Read(place, found)
             }
-            Ask::Write(Place { kind, name }, packed) => {
+            Ask::Write(place, packed) => {
                 let text = module.unchecked_ref::<Forms>().write_session(&packed);
-                JsFuture::from(store.write(&kind, &name, &text)).await?;
+                write(&store, &place, &text).await?;
                 News::Written
             }
-            Ask::Copy(from, Place { kind, name }) => {
+            Ask::Copy(from, to) => {
                 let Some((text, _)) = read(&store, &from).await? else { return Ok(None) };
-                JsFuture::from(store.write(&kind, &name, &text)).await?;
+                write(&store, &to, &text).await?;
                 News::Written
             }
             Ask::Show(language) => {
@@ -134,7 +134,17 @@ pub(crate) async fn load(told: &JsValue) -> Result<(Module, Store), JsValue> {
     Ok((module, store))
 }
 
-async fn read(
+/// Keeps a text at a place.
+pub(crate) async fn write(
+    store: &Store,
+    Place { kind, name }: &Place,
+    text: &str,
+) -> Result<(), JsValue> {
+    JsFuture::from(store.write(kind, name, text)).await.map(|_| ())
+}
+
+/// The text at a place, and whether its newest copy was damaged; nothing when none is kept.
+pub(crate) async fn read(
     store: &Store,
     Place { kind, name }: &Place,
 ) -> Result<Option<(String, bool)>, JsValue> {

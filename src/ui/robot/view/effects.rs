@@ -1,7 +1,9 @@
 //! Carries the page's effects out: the link, the engine that talks, and files beside the page.
 
 use crate::robot::link::{Link, News};
+use crate::ui::page::keep::ask::Place;
 use crate::ui::page::view::host::{self, beside};
+use crate::ui::page::view::keeper::{Store, load, read, write};
 use crate::ui::page::view::worker::{Engine, Said};
 use crate::ui::robot::action::Action;
 use crate::ui::robot::effect::Effect;
@@ -20,11 +22,16 @@ const FRONT: &str = "index.html";
 /// The model, and what other words may stand for.
 const MODEL: &str = "cleanup.model";
 const WORDS: &str = "words.txt";
+/// Milliseconds without a change after which a set-up is kept.
+const REST: u32 = 700;
 
 /// Carries effects out, and tells the page what comes of them.
 pub(super) struct Effects {
     act: Callback<Action>,
     link: Option<Link>,
+    store: Rc<RefCell<Option<Store>>>,
+    /// Rings when nothing has changed for a moment.
+    rest: Option<Timeout>,
     talker: Rc<RefCell<Talker>>,
 }
 
@@ -38,7 +45,7 @@ struct Talker {
 impl Effects {
     /// Results go to `act`.
     pub(super) fn new(act: Callback<Action>) -> Effects {
-        Effects { act, link: None, talker: Rc::default() }
+        Effects { act, link: None, store: Rc::default(), rest: None, talker: Rc::default() }
     }
 
     /// Bytes that were sent over the link and have not left.
@@ -63,6 +70,11 @@ impl Effects {
                 Effect::Post(envelope) => self.post(envelope),
                 Effect::FetchModel => self.fetch(MODEL, Action::Model),
                 Effect::FetchWords => self.fetch(WORDS, Action::Words),
+                Effect::Recall => self.recall(),
+                Effect::Keep(text) => {
+                    let store = self.store.clone();
+                    self.rest = Some(Timeout::new(REST, move || keep(&store, text)));
+                }
                 Effect::Speak(language) => host::set_language(language.code()),
             }
         }
@@ -81,6 +93,23 @@ impl Effects {
         if self.link.is_none() {
             self.act.emit(Action::LinkClosed);
         }
+    }
+
+    /// Opens the store, which comes after the page, and tells what it has.
+    fn recall(&self) {
+        let (act, store) = (self.act.clone(), self.store.clone());
+        spawn_local(async move {
+            // Where nothing can be kept the page begins as it is.
+            let found = match load(&JsValue::NULL).await {
+                Ok((_, opened)) => {
+                    let found = read(&opened, &place()).await.ok().flatten();
+                    *store.borrow_mut() = Some(opened);
+                    found
+                }
+                Err(_) => None,
+            };
+            act.emit(Action::Recalled(found.map(|(text, _)| text)));
+        });
     }
 
     fn ring(&self, ms: u32, action: Action) {
@@ -130,6 +159,21 @@ impl Effects {
         let act = self.act.clone();
         spawn_local(async move {
             act.emit(told(host::text(name).await.map_err(|error| host::words(&error))));
+        });
+    }
+}
+
+/// Where it is kept.
+fn place() -> Place {
+    Place::new("robot", "own")
+}
+
+/// Keeps a text, where there is a store.
+fn keep(store: &Rc<RefCell<Option<Store>>>, text: String) {
+    if let Some(store) = store.borrow().clone() {
+        spawn_local(async move {
+            // What cannot be kept is asked for anew at the next visit.
+            let _ = write(&store, &place(), &text).await;
         });
     }
 }

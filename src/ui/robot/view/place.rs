@@ -49,6 +49,7 @@ pub(super) fn place(state: &State, act: &Callback<Action>) -> Html {
             if state.kind == Kind::Real { { calibration(state, act) } }
             if let Some(found) = state.pilot.driver.calibration {
                 <p class="good" data-testid="calibrated">{ (text.calibrated)(found.cell(), found.off) }</p>
+                if state.is_recalled { <p class="notice" data-testid="recalled">{ text.recalled }</p> }
             }
         </section>
     }

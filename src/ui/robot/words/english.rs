@@ -82,6 +82,7 @@ pub(super) static ENGLISH: Text = Text {
     corner: |at, of, cell| {
         format!("{at} of {of}: put the robot in the middle of {cell}, and wait until it stands.")
     },
+    recalled: "This is from an earlier visit. Look whether the robot is drawn where it stands: wheel odometry begins anew when a robot is switched on.",
     note: "It stands there",
     calibrated: |size, off| match off {
         0.0 => format!("Calibrated: a cell measures {size:.2} m."),

@@ -86,6 +86,7 @@ pub(super) static GERMAN: Text = Text {
             "{at} von {of}: Stellen Sie den Roboter in die Mitte von {cell}, und warten Sie, bis er steht."
         )
     },
+    recalled: "Das ist von einem früheren Besuch. Sieh nach, ob der Roboter dort gezeichnet ist, wo er steht: Nach dem Einschalten zählen die Räder von vorn.",
     note: "Er steht dort",
     calibrated: |size, off| match off {
         0.0 => format!("Kalibriert: Eine Zelle misst {size:.2} m."),

@@ -54,6 +54,7 @@ pub struct Text {
     pub corners: &'static str,
     pub corners_help: &'static str,
     pub corner: fn(usize, usize, &str) -> String,
+    pub recalled: &'static str,
     pub note: &'static str,
     pub calibrated: fn(f64, f64) -> String,
     pub uncalibrated: fn(Uncalibrated) -> String,

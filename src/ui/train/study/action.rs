@@ -35,14 +35,14 @@ pub enum Action {
     From(usize),
     /// Sees only answers with this flag, or all.
     Only(Option<Flag>),
-    /// Approves an answer.
-    Approve(usize),
+    /// Approves an answer, by its name.
+    Approve(String),
     /// Rejects an answer.
-    Reject(usize),
+    Reject(String),
     /// Looks at the pairs of an answer, or no more.
-    Look(usize),
+    Look(String),
     /// Takes a decision back.
-    Reopen(usize),
+    Reopen(String),
     /// The reason for rejecting one by one.
     Why(String),
     /// Has the rule reject what has this flag, or not.
@@ -57,6 +57,8 @@ pub enum Action {
     ApprovedOnly(bool),
     /// Takes the answers into training.
     Train,
+    /// Stops what the engine is doing for studies; files that wait are not read.
+    Stop,
 }
 
 /// A change of what a study is to be.
@@ -67,6 +69,11 @@ pub enum Change {
     German(bool),
     Tasks(String),
     Pairs(u32),
+    Ways(bool),
+    /// The task of a check, by the check's place; nothing for none.
+    Check(usize, String),
+    /// The words that an answer to it must have.
+    Must(usize, String),
     Shown(u32),
     Asked(u32),
     Seed(u32),

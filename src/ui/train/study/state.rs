@@ -2,8 +2,8 @@
 
 use super::action::Place;
 use crate::study::file::{Again, Order, Words};
-use crate::study::survey::{SurveyMapping, Trials};
-use crate::study::{Flag, Review, Study, StudyError};
+use crate::study::{Flag, Showing, Study, StudyError};
+use crate::worker::protocol::{AnswerLine, Reviewed, StudyAsk, SurveyMapping};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// All that is known of studies.
@@ -13,28 +13,30 @@ pub struct State {
     pub draft: Draft,
     /// How far it is drawn.
     pub making: Option<(u32, u32)>,
-    /// The study that was drawn or opened.
-    pub study: Option<Box<Study>>,
+    /// The study that was drawn or opened, and its fingerprint.
+    pub study: Option<(Box<Study>, String)>,
     /// What stands behind the address of the page that asks, when the study is packed into a link.
     pub link: Option<String>,
     /// What its pairs leave open.
     pub open: Vec<String>,
-    /// The answers' files so far, each a name and a text.
-    pub files: Vec<(String, String)>,
-    /// The answers.
-    pub review: Review,
-    /// What is wrong with files.
-    pub flaws: Vec<String>,
-    /// Answers that came again, and those to other studies.
-    pub left_out: [usize; 2],
-    /// Another program's trials, and which value is what.
-    pub survey: Option<(Trials, SurveyMapping)>,
+    /// How far files of answers are read, in bytes: those before the one at work, and all.
+    pub bringing: Option<(u32, u32)>,
+    /// Of the file at work, how far.
+    pub in_file: u32,
+    /// The answers, as the engine last said.
+    pub review: Reviewed,
+    /// What the engine was asked of them: one that begins anew is asked all of it again.
+    pub log: Vec<StudyAsk>,
+    /// Files that could not be read.
+    pub unreadable: Vec<String>,
+    /// Another program's trials: how many, the paths of their values, and which value is what.
+    pub survey: Option<(u32, Vec<String>, SurveyMapping)>,
     /// How far a model is through the answers.
     pub judging: Option<(u32, u32)>,
     /// The first answer on view.
     pub from: usize,
-    /// The answer of which one sees the pairs.
-    pub looked_at: Option<usize>,
+    /// The answer of which one sees the pairs, and these, once they are known.
+    pub looked_at: Option<(String, Vec<Showing>)>,
     /// The flag that answers on view have.
     pub only: Option<Flag>,
     /// Why answers are rejected one by one.
@@ -60,6 +62,10 @@ pub struct Draft {
     /// A file of tasks; nothing for the 23 of the corpus.
     pub tasks: String,
     pub pairs: u32,
+    /// Whether the robot's way is shown in place of pairs.
+    pub has_ways: bool,
+    /// Tasks that are there to see whether somebody looks, and the words that an answer must have.
+    pub checks: Vec<(String, String)>,
     pub shown: u32,
     pub asked: u32,
     pub seed: u32,
@@ -82,10 +88,11 @@ impl Default for State {
             study: None,
             link: None,
             open: Vec::new(),
-            files: Vec::new(),
-            review: Review::default(),
-            flaws: Vec::new(),
-            left_out: [0; 2],
+            bringing: None,
+            in_file: 0,
+            review: Reviewed::default(),
+            log: Vec::new(),
+            unreadable: Vec::new(),
             survey: None,
             judging: None,
             from: 0,
@@ -114,6 +121,8 @@ impl Default for Draft {
             german: false,
             tasks: String::new(),
             pairs: 5,
+            has_ways: false,
+            checks: Vec::new(),
             shown: 3,
             asked: 6,
             seed: 0,
@@ -158,11 +167,6 @@ impl Draft {
 }
 
 impl State {
-    /// The study that answers are held against: the one that is open, or one of which nothing is known.
-    pub fn against(&self) -> Study {
-        self.study.as_deref().cloned().unwrap_or_else(|| Study::new("answers", Vec::new()))
-    }
-
     /// The answers on view, by their places.
     pub fn seen(&self) -> Vec<usize> {
         let rows = self.review.rows.iter().enumerate();
@@ -170,12 +174,19 @@ impl State {
         rows.filter(|(_, row)| has(&row.flags)).map(|(at, _)| at).collect()
     }
 
-    /// Takes a study in, and holds the answers against it.
+    /// The answer of this name.
+    pub fn row(&mut self, id: &str) -> Option<&mut AnswerLine> {
+        self.review.rows.iter_mut().find(|row| row.id == id)
+    }
+
+    /// Takes a study in.
     ///
     /// # Errors
     /// Why the text is none.
     pub fn take(&mut self, text: &str) -> Result<(), StudyError> {
-        self.study = Some(Box::new(Study::read(text)?));
+        let study = Box::new(Study::read(text)?);
+        let fingerprint = study.fingerprint();
+        self.study = Some((study, fingerprint));
         (self.from, self.link, self.looked_at) = (0, None, None);
         Ok(())
     }

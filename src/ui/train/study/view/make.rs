@@ -1,7 +1,9 @@
 //! Making a study: what it is to be, drawing it, and the file that comes of it.
 
 use super::controls::{bar, button};
+use crate::study::TASKS;
 use crate::study::file::{Again, Order};
+use crate::study::tasks::names;
 use crate::ui::page::view::fields::{choice, line, number, tick};
 use crate::ui::page::view::files::open_file;
 use crate::ui::train::desk::Desk;
@@ -23,6 +25,8 @@ pub(super) fn make(
         german,
         tasks,
         pairs,
+        has_ways,
+        checks,
         shown,
         asked,
         seed,
@@ -71,6 +75,13 @@ pub(super) fn make(
                 { one_of("study-again", text.again, &Again::ALL, *again, text.agains,
                     act.reform(|again| Action::Draft(Change::Again(again)))) }
             </div>
+            { tick("study-ways".into(), text.has_ways.into(), *has_ways, false,
+                act.reform(|on| Action::Draft(Change::Ways(on)))) }
+            <details>
+                <summary>{ text.checks }</summary>
+                <p class="dim">{ text.checks_help }</p>
+                { self::checks(checks, tasks, text, act) }
+            </details>
             <details>
                 <summary>{ text.words }</summary>
                 <div class="fields">
@@ -96,9 +107,12 @@ pub(super) fn make(
             </p>
             { open_file("study-file", text.open_study, ".json", None, &act.reform(Action::Open)) }
             { bar("study-making", text.making, state.making) }
+            if state.making.is_some() {
+                <p class="buttons">{ button("stop-making", text.stop, false, act, Action::Stop) }</p>
+            }
             if let Some(notice) = &state.notice { <p class="notice" role="status" data-testid="study-notice">{ notice }</p> }
-            if let Some(study) = &state.study {
-                <p data-testid="study-is">{ (text.study_is)(&study.name, study.items.len(), &study.fingerprint()) }</p>
+            if let Some((study, fingerprint)) = &state.study {
+                <p data-testid="study-is">{ (text.study_is)(&study.name, study.items.len(), fingerprint) }</p>
                 <p class="dim">{ text.host_it }</p>
                 if let Some(link) = &state.link {
                     <p class="buttons">
@@ -115,6 +129,35 @@ pub(super) fn make(
             }
         </section>
     }
+}
+
+/// The tasks that are there to see whether somebody looks, and a place for one more.
+fn checks(
+    checks: &[(String, String)],
+    tasks: &str,
+    text: &'static Text,
+    act: &Callback<Action>,
+) -> Html {
+    let tasks = if tasks.trim().is_empty() { TASKS } else { tasks };
+    let known: Vec<String> = names(tasks).map(str::to_owned).collect();
+    let shown: Vec<String> = std::iter::once(text.none.to_owned()).chain(known.clone()).collect();
+    let one = |at: usize| {
+        let (task, words) = checks.get(at).map_or(("", ""), |(task, words)| (task, words));
+        let place = known.iter().position(|name| name == task).map_or(0, |place| place + 1);
+        let known = known.clone();
+        let choose = act.reform(move |place: usize| {
+            let name = place.checked_sub(1).and_then(|place| known.get(place)).cloned();
+            Action::Draft(Change::Check(at, name.unwrap_or_default()))
+        });
+        let say = act.reform(move |words| Action::Draft(Change::Must(at, words)));
+        html! {
+            <div class="fields">
+                { choice(format!("check-{at}").into(), text.check.into(), &shown, place, choose) }
+                if at < checks.len() { { line(format!("must-{at}"), text.must, "text", words, say) } }
+            </div>
+        }
+    };
+    html! { <>{ for (0..=checks.len()).map(one) }</> }
 }
 
 /// A choice among values, each with its words.

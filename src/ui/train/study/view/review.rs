@@ -20,15 +20,21 @@ pub(super) fn review(
     text: &'static Text,
     act: &Callback<Action>,
 ) -> Html {
+    let flaws: Vec<&String> = state.unreadable.iter().chain(&state.review.flaws).collect();
     html! {
         <section class="card" aria-labelledby="review-title">
             <h2 id="review-title">{ text.review_title }</h2>
             <p class="dim">{ text.review_help }</p>
             { open_file("answers-file", text.bring, ".jsonl,.json,.csv,.txt", None, &act.reform(Action::Answers)) }
-            if !state.flaws.is_empty() {
+            { bar("bringing", text.bringing, bringing(state)) }
+            { bar("judging", text.judging, state.judging) }
+            if state.bringing.is_some() || state.judging.is_some() {
+                <p class="buttons">{ button("stop-review", text.stop, false, act, Action::Stop) }</p>
+            }
+            if !flaws.is_empty() {
                 <details class="problems-box" data-testid="answer-flaws">
                     <summary>{ text.flaws }</summary>
-                    <ul class="problems">{ for state.flaws.iter().take(50).map(|flaw| html! { <li>{ flaw }</li> }) }</ul>
+                    <ul class="problems">{ for flaws.iter().take(50).map(|flaw| html! { <li>{ flaw }</li> }) }</ul>
                 </details>
             }
             { survey(state, text, act) }
@@ -43,6 +49,12 @@ pub(super) fn review(
     }
 }
 
+/// Kilobytes of the files that are read, and in all.
+fn bringing(state: &State) -> Option<(u32, u32)> {
+    let (done, of) = state.bringing?;
+    Some(((done + state.in_file) / 1000, of / 1000 + 1))
+}
+
 /// How many there are, a model's word on them, and which are seen.
 fn judged(state: &State, desk: &Desk, text: &'static Text, act: &Callback<Action>) -> Html {
     let n = |is: fn(&Decision) -> bool| {
@@ -53,6 +65,7 @@ fn judged(state: &State, desk: &Desk, text: &'static Text, act: &Callback<Action
         n(|decision| *decision == Decision::Approved),
         n(|decision| matches!(decision, Decision::Rejected(_))),
     ];
+    let left_out = state.review.left_out.map(|n| n as usize);
     let names: Vec<String> = std::iter::once(text.all)
         .chain(Flag::ALL.map(|flag| (text.flag)(flag)))
         .map(str::to_owned)
@@ -64,13 +77,12 @@ fn judged(state: &State, desk: &Desk, text: &'static Text, act: &Callback<Action
     html! {
         <>
             <p class="figures" data-testid="answer-counts">
-                { (text.counts)(state.review.rows.len(), decided, state.left_out) }
+                { (text.counts)(state.review.rows.len(), decided, left_out) }
             </p>
             <p class="buttons">
                 { button("judge", text.judge, !desk.is_ready() || desk.in_use.is_none(), act, Action::Judge) }
             </p>
             { open_file("judge-file", text.judge_by, ".model,.txt", None, &act.reform(Action::JudgeBy)) }
-            { bar("judging", text.judging, state.judging) }
             <div class="fields">
                 { choice("only-flag".into(), text.only.into(), &names, place.map_or(0, |at| at + 1), choose) }
                 { line("why", text.why, "text", &state.why, act.reform(Action::Why)) }

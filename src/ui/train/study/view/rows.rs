@@ -5,12 +5,13 @@ use super::controls::button;
 use crate::corpus::Decision;
 use crate::domain::State as World;
 use crate::render::{Options, Theme};
-use crate::study::coverage::coverage;
+use crate::study::Showing;
 use crate::ui::page::view::picture::Picture;
 use crate::ui::train::study::action::Action;
 use crate::ui::train::study::files::PAGE;
 use crate::ui::train::study::state::State;
 use crate::ui::train::study::words::Text;
+use crate::worker::protocol::Coverage;
 use yew::{Callback, Html, html};
 
 /// The answers on view.
@@ -53,7 +54,7 @@ fn row(
     act: &Callback<Action>,
 ) -> Html {
     let Some(row) = state.review.rows.get(at) else { return Html::default() };
-    let answer = &row.answer;
+    let id = || row.id.clone();
     let [open, approved, rejected] = text.decisions;
     let (decision, why) = match &row.decision {
         Decision::Open => (open, ""),
@@ -62,34 +63,34 @@ fn row(
     };
     let is_open = row.decision == Decision::Open;
     let named = |id, words: &str, action| button(id, words, false, act, action);
-    let shown = state.looked_at == Some(at);
+    let shown = state.looked_at.as_ref().filter(|(looked_at, _)| *looked_at == row.id);
     html! {
         <>
         <tr data-testid="answer-row" data-decision={decision}>
-            <td dir="auto" class="command">{ &answer.command }</td>
-            <td>{ answer.task.clone() }</td>
-            <td>{ &answer.worker }</td>
+            <td dir="auto" class="command">{ &row.command }</td>
+            <td>{ row.task.clone() }</td>
+            <td>{ &row.worker }</td>
             <td>{ for row.flags.iter().map(|&flag| html! { <span class="mark">{ (text.flag)(flag) }</span> }) }</td>
             <td>{ decision }if !why.is_empty() { { ": " }{ why } }</td>
             <td class="row-buttons">
-                { named("look", text.look, Action::Look(at)) }
+                { named("look", text.look, Action::Look(id())) }
                 if is_open {
-                    { named("approve", text.approve, Action::Approve(at)) }
-                    { named("reject", text.reject, Action::Reject(at)) }
+                    { named("approve", text.approve, Action::Approve(id())) }
+                    { named("reject", text.reject, Action::Reject(id())) }
                 } else {
-                    { named("reopen", text.reopen, Action::Reopen(at)) }
+                    { named("reopen", text.reopen, Action::Reopen(id())) }
                 }
             </td>
         </tr>
-        if shown { <tr data-testid="answer-pairs"><td colspan="6">{ pairs(state, at, theme, text) }</td></tr> }
+        if let Some((_, shows)) = shown {
+            <tr data-testid="answer-pairs"><td colspan="6">{ pairs(shows, theme, text) }</td></tr>
+        }
         </>
     }
 }
 
 /// What an answer was said of.
-fn pairs(state: &State, at: usize, theme: Theme, text: &'static Text) -> Html {
-    let shows =
-        state.review.rows.get(at).map(|row| row.answer.pairs.as_slice()).unwrap_or_default();
+fn pairs(shows: &[Showing], theme: Theme, text: &'static Text) -> Html {
     let picture = |world: &World, label: String| {
         let options = Options { theme, letters: true, ..Options::default() };
         html! { <Picture world={world.clone()} {options} {label} /> }
@@ -99,7 +100,11 @@ fn pairs(state: &State, at: usize, theme: Theme, text: &'static Text) -> Html {
             { for shows.iter().zip(1..).map(|(showing, n)| {
                 let (pre, post) = showing.states();
                 html! {
-                    <span class="pair">{ picture(pre, (text.before)(n)) }{ "→" }{ picture(post, (text.after)(n)) }</span>
+                    <span class="pair">
+                        { picture(pre, (text.before)(n)) }
+                        { showing.steps().map_or("→".to_owned(), text.steps) }
+                        { picture(post, (text.after)(n)) }
+                    </span>
                 }
             }) }
         </div>
@@ -108,8 +113,8 @@ fn pairs(state: &State, at: usize, theme: Theme, text: &'static Text) -> Html {
 
 /// How far each task has come.
 pub(super) fn tasks(state: &State, text: &'static Text) -> Html {
-    let is_judged = state.review.is_judged();
-    let line = |found: crate::study::coverage::Coverage| {
+    let is_judged = state.review.is_judged;
+    let line = |found: &Coverage| {
         let lacks = found.answers - found.rejected < state.wanted as usize;
         html! {
             <tr data-testid="coverage-row" data-lacks={lacks.to_string()}>
@@ -130,7 +135,7 @@ pub(super) fn tasks(state: &State, text: &'static Text) -> Html {
                         <th>{ text.task }</th><th>{ text.items }</th><th>{ text.answers }</th><th>{ text.approved }</th>
                         <th>{ text.rejected }</th><th>{ text.valid }</th><th>{ text.agreement }</th>
                     </tr></thead>
-                    <tbody>{ for coverage(&state.against(), &state.review).into_iter().map(line) }</tbody>
+                    <tbody>{ for state.review.coverage.iter().map(line) }</tbody>
                 </table>
             </div>
         </details>

@@ -1,7 +1,6 @@
 //! Another program's trials: which value is what.
 
 use super::controls::button;
-use crate::study::survey::trials::paths;
 use crate::ui::page::view::fields::choice;
 use crate::ui::page::view::files::open_file;
 use crate::ui::train::study::action::{Action, Saved, Value};
@@ -11,8 +10,7 @@ use yew::{Callback, Html, html};
 
 /// The mapping, while there is something to map.
 pub(super) fn survey(state: &State, text: &'static Text, act: &Callback<Action>) -> Html {
-    let Some((trials, mapping)) = &state.survey else { return Html::default() };
-    let paths = paths(&trials.rows);
+    let Some((trials, paths, mapping)) = &state.survey else { return Html::default() };
     let names: Vec<String> = std::iter::once(text.none.to_owned()).chain(paths.clone()).collect();
     let choose = |id: String, value: Value, chosen: &str| {
         let place = paths.iter().position(|path| path == chosen).map_or(0, |at| at + 1);
@@ -36,7 +34,7 @@ pub(super) fn survey(state: &State, text: &'static Text, act: &Callback<Action>)
     html! {
         <div class="problems-box" data-testid="survey">
             <h3>{ text.survey_title }</h3>
-            <p class="dim">{ (text.survey_help)(trials.rows.len()) }</p>
+            <p class="dim">{ (text.survey_help)(*trials as usize) }</p>
             <div class="settings">
                 { choose("map-command-value".into(), Value::Command, &mapping.command) }
                 { choose("map-worker-value".into(), Value::Worker, mapping.worker.as_deref().unwrap_or("")) }

@@ -16,6 +16,12 @@ pub(super) static ENGLISH: Text = Text {
     asked: "Tasks each (0: all)",
     seed: "Seed",
     cents: "Pay an answer (cents)",
+    has_ways: "Show the robot’s way in place of before and after",
+    checks: "Checks: tasks to see whether people look",
+    checks_help: "Everybody is asked these besides. An answer must have each of the words; of words with a stroke between them, such as red/crimson, one.",
+    check: "A task that checks",
+    must: "Words that an answer must have",
+    stop: "Stop",
     words: "Words of your own",
     says: |place| match place {
         Place::Welcome => "Welcome (empty: the page’s own)",
@@ -70,6 +76,12 @@ pub(super) static ENGLISH: Text = Text {
         format!("{all} answers: {open} open, {approved} approved, {rejected} rejected.{more}")
     },
     flaws: "What is wrong with the files",
+    bringing: "Reading files (kB)",
+    unfit: |n| {
+        format!(
+            "{n} left out: a corpus takes no command of more than 2,000 characters or without a word."
+        )
+    },
     judge: "Ask the robot’s model",
     judge_by: "Ask a model of a file",
     judging: "Reading the answers",
@@ -91,6 +103,7 @@ pub(super) static ENGLISH: Text = Text {
         Flag::Twin => "same as another person",
         Flag::Again => "took part more than once",
         Flag::Simulated => "simulated",
+        Flag::Unfit => "too long, or no word",
     },
     reason: |flag| match flag {
         Flag::Unseen => "not all pairs were looked at",
@@ -105,6 +118,7 @@ pub(super) static ENGLISH: Text = Text {
         Flag::Twin => "the commands are those of another participant",
         Flag::Again => "the participant took part more than once",
         Flag::Simulated => "the participant is simulated",
+        Flag::Unfit => "the command is too long, or has no word",
     },
     answer: "Answer",
     task: "Task",
@@ -115,6 +129,7 @@ pub(super) static ENGLISH: Text = Text {
     approve: "Approve",
     reject: "Reject",
     reopen: "Reopen",
+    steps: |n| format!("→ {n} steps →"),
     look: "Pairs",
     before: |at| format!("Before {at}"),
     after: |at| format!("After {at}"),

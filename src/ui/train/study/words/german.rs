@@ -16,6 +16,12 @@ pub(super) static GERMAN: Text = Text {
     asked: "Aufgaben je Person (0: alle)",
     seed: "Startwert",
     cents: "Lohn je Antwort (Cent)",
+    has_ways: "Statt vorher und nachher den Weg des Roboters zeigen",
+    checks: "Prüfungen: Aufgaben, an denen sich zeigt, ob jemand hinsieht",
+    checks_help: "Sie kommen bei allen hinzu. Eine Antwort muss jedes der Wörter haben; von Wörtern mit einem Strich dazwischen, wie rot/rötlich, eines.",
+    check: "Eine Aufgabe, die prüft",
+    must: "Wörter, die eine Antwort haben muss",
+    stop: "Anhalten",
     words: "Eigene Worte",
     says: |place| match place {
         Place::Welcome => "Begrüßung (leer: die der Seite)",
@@ -70,6 +76,12 @@ pub(super) static GERMAN: Text = Text {
         format!("{all} Antworten: {open} offen, {approved} angenommen, {rejected} abgelehnt.{more}")
     },
     flaws: "Was an den Dateien nicht stimmt",
+    bringing: "Dateien werden gelesen (kB)",
+    unfit: |n| {
+        format!(
+            "{n} weggelassen: Ein Korpus nimmt keinen Auftrag mit mehr als 2.000 Zeichen oder ohne ein Wort."
+        )
+    },
     judge: "Das Modell des Roboters fragen",
     judge_by: "Ein Modell aus einer Datei fragen",
     judging: "Die Antworten werden gelesen",
@@ -91,6 +103,7 @@ pub(super) static GERMAN: Text = Text {
         Flag::Twin => "wie eine andere Person",
         Flag::Again => "mehr als einmal teilgenommen",
         Flag::Simulated => "simuliert",
+        Flag::Unfit => "zu lang oder kein Wort",
     },
     reason: |flag| match flag {
         Flag::Unseen => "nicht alle Paare wurden angesehen",
@@ -105,6 +118,7 @@ pub(super) static GERMAN: Text = Text {
         Flag::Twin => "die Aufträge sind die einer anderen Person",
         Flag::Again => "die Person hat mehr als einmal teilgenommen",
         Flag::Simulated => "die Teilnahme ist simuliert",
+        Flag::Unfit => "der Auftrag ist zu lang oder hat kein Wort",
     },
     answer: "Antwort",
     task: "Aufgabe",
@@ -115,6 +129,7 @@ pub(super) static GERMAN: Text = Text {
     approve: "Annehmen",
     reject: "Ablehnen",
     reopen: "Wieder offen",
+    steps: |n| format!("→ {n} Schritte →"),
     look: "Paare",
     before: |at| format!("Davor {at}"),
     after: |at| format!("Danach {at}"),
