@@ -16,6 +16,7 @@ pub mod blueprint;
 mod quote;
 pub mod text;
 pub mod way;
+pub mod straight;
 
 pub use blueprint::{Blueprint, BlueprintError, Style};
 pub use cell::{Cell, cell_at};
@@ -28,5 +29,6 @@ pub use object::{Agent, Bounds, Color, Direction, Door, Lock, Object, Room, Shap
 pub use packing::{PackError, Packed};
 pub use rules::{Action, Chances, Form, Movable, NotAProbability, Rules};
 pub use state::{ReadError, State, StateError};
+pub use straight::straight;
 pub use text::TextError;
 pub use way::{Way, letters, read_letters};

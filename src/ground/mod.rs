@@ -44,7 +44,7 @@ pub use errand::{Errand, ErrandError, errand};
 pub use goal::{Formula, Goal, GoalError};
 pub use lesser::lesser;
 pub use monitor::{Monitor, Residual, TooMany};
-pub use outline::{Outline, Part, Valuation};
+pub use outline::{Outline, Part, Valuation, forbids_idly};
 pub use phrase::{Phrase, phrases};
 pub use predicate::{Meaning, Measure, ONTOLOGY, PREDICATES, Predicate, Property, Relation};
 pub use run::Beginnings;

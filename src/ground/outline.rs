@@ -76,6 +76,19 @@ impl Outline {
         self.parts.last() == Some(&Part::Failed)
     }
 
+    /// Whether it forbids something only once nothing is left to be done: that forbids nothing.
+    pub fn forbids_idly(&self) -> bool {
+        let is_last = |at: &usize| match self.parts.get(*at) {
+            Some(Part::Always(_)) => true,
+            Some(Part::All(parts)) => {
+                let kind = |at: &usize| self.parts.get(*at);
+                parts.iter().all(|at| matches!(kind(at), Some(Part::Always(_) | Part::Done)))
+            }
+            _ => false,
+        };
+        self.parts.iter().any(|part| matches!(part, Part::Until { then, .. } if is_last(then)))
+    }
+
     /// What it asks of single states: goals.
     pub fn guards(&self) -> &[TermId] {
         &self.guards
@@ -85,6 +98,11 @@ impl Outline {
     pub fn parts(&self) -> &[Part] {
         &self.parts
     }
+}
+
+/// Whether what a form forbids it forbids only once nothing is left to be done: who said so meant something else.
+pub fn forbids_idly(terms: &Terms, form: TermId) -> bool {
+    terms.ty(form) == RUN && Outline::new(terms, form).is_ok_and(|task| task.forbids_idly())
 }
 
 struct Outliner<'a> {

@@ -7,7 +7,7 @@ use super::score::{Mark, Scores, Ties, Verdict};
 use crate::ccg::chart::ChartConfig;
 use crate::ccg::{Model, Parse, Reason, parse, probability};
 use crate::corpus::Example;
-use crate::ground::{Course, PairId, Validator};
+use crate::ground::{Course, PairId, Validator, forbids_idly};
 use crate::logic::{TermId, Terms};
 
 /// What judges a model's answers to the commands of one corpus.
@@ -37,7 +37,9 @@ impl Judge {
             resolved: verdict(terms, form.or_else(|| resolve(terms, &parse, example)), example),
             skipped: !parse.skipped.is_empty(),
             probability: doubted.map(|(probability, _)| probability),
-            asked: doubted.is_some_and(|(_, asks)| asks),
+            asked: doubted.is_some_and(|(_, asks)| {
+                asks || form.is_some_and(|form| forbids_idly(terms, form))
+            }),
         };
         if let (Verdict::Wrong, Some(form)) = (mark.answer, form) {
             let does = self.observer.recognise(terms, form, example.task.as_deref());

@@ -6,6 +6,7 @@ use super::protocol::{Answer, PlanProgress, Reading, WorldRules};
 use super::read::{parsed, reading, shown, taken, words};
 use crate::ccg::{Model, Parse, probability};
 use crate::domain::State;
+use crate::ground::forbids_idly;
 use crate::logic::print;
 use std::rc::Rc;
 
@@ -64,7 +65,7 @@ impl Asking {
         let best = parse.answer().filter(|_| answer.asks.is_empty());
         let Some(best) = best else { return Asked::Answered(answer, None) };
         let form = print(&model.grammar.terms, best.form);
-        match Planning::begin(&form, &self.state, &self.rules, true) {
+        match Planning::begin(&form, std::slice::from_ref(&self.state), &self.rules, true) {
             Ok(Begun::Work(planning)) => {
                 self.stage = Stage::Plan(answer, planning);
                 Asked::Working(None)
@@ -88,9 +89,11 @@ pub(super) fn answer(model: &mut Model, parse: &Parse, command: &str, state: &St
     let readings: Vec<Reading> =
         shown(parse).map(|one| reading(model, parse, one, state)).collect();
     let (words, taken) = (words(model, parse, Some(state)), taken(parse));
+    let best = parse.answer().map(|best| best.form);
+    let is_idle = best.is_some_and(|best| forbids_idly(&model.grammar.terms, best));
     Answer {
         command: command.to_owned(),
-        asks: choices(parse, &readings, &words, &taken, doubt),
+        asks: choices(parse, &readings, &words, &taken, doubt, is_idle),
         words,
         taken,
         readings,

@@ -2,7 +2,7 @@
 //! model makes of a row, files to save.
 
 use super::learner::Learner;
-use super::protocol::{Event, Form, PairText, Request, RowReading, Split};
+use super::protocol::{Event, Form, PairText, Request, RowReading, RunText, Shown, Split};
 use super::read::{parsed, reading, shown, words};
 use super::review;
 use super::shard;
@@ -10,6 +10,7 @@ use super::talker::report;
 use super::training::Training;
 use crate::ccg::{Model, probability};
 use crate::corpus::{Example, Pair, jsonl, preview, share, table};
+use crate::domain::{State, Way, letters};
 use crate::ground::{PairId, Validator};
 use crate::learn::audit::Rows;
 use crate::learn::inspect::{EntryView, difference, entries, without};
@@ -177,9 +178,16 @@ fn example(sheet: &Sheet, row: usize) -> Result<&Example, String> {
     sheet.examples().get(row).ok_or_else(|| format!("The corpus has no row {row}."))
 }
 
-fn pairs(example: &Example) -> Vec<PairText> {
-    let pair = |Pair { pre, post, .. }: &Pair| PairText { pre: pre.clone(), post: post.clone() };
-    example.pairs.iter().map(pair).collect()
+fn pairs(example: &Example) -> Vec<Shown> {
+    let run = |start: &State, way: &Way| {
+        let contrast = way.contrasts.iter().map(|contrast| letters(contrast)).collect();
+        RunText { start: start.clone(), actions: letters(&way.actions), contrast }
+    };
+    let shown = |Pair { pre, post, way }: &Pair| Shown {
+        pair: PairText { pre: pre.clone(), post: post.clone() },
+        run: way.as_deref().map(|way| run(pre, way)),
+    };
+    example.pairs.iter().map(shown).collect()
 }
 
 /// The half of each row when a sheet is parted so.

@@ -1,7 +1,8 @@
 //! Whether to ask before a command is done, and which of its readings to ask about: where several are equally likely,
 //! where the best is doubtful, and where it speaks of things that the world does not have and another does not. What
 //! would come to the same in this world is one; and where one alone can be meant here, and every word was used, the
-//! world knows better than the sentence: nothing is asked, unless the probability is low indeed.
+//! world knows better than the sentence: nothing is asked, unless the probability is low indeed, or what is forbidden is
+//! forbidden once all is done.
 
 use super::protocol::{Claim, Fate, Reading, Refers, Taken, Word, lost};
 use crate::ccg::{Parse, Reason};
@@ -23,11 +24,12 @@ pub(super) fn choices(
     words: &[Word],
     taken: &[Taken],
     doubt: Option<(f64, bool)>,
+    forbids_idly: bool,
 ) -> Vec<usize> {
     let Some(best) = readings.first() else { return Vec::new() };
     // Without what lies beyond the language a command says something else.
     let is_beyond = words.iter().any(|word| lost(word).is_some());
-    let is_doubtful = is_beyond || doubt.is_some_and(|(_, asks)| asks);
+    let is_doubtful = is_beyond || forbids_idly || doubt.is_some_and(|(_, asks)| asks);
     let rivals = readings.iter().take_while(|one| best.score - one.score <= FAR).count();
     let fits = |at: &usize| readings.get(*at).is_some_and(refers);
     // One of several may be there where another is not.
@@ -46,6 +48,7 @@ pub(super) fn choices(
             if alone
                 && refers(best)
                 && !is_low
+                && !forbids_idly
                 && taken.is_empty()
                 && !is_beyond
                 && words.iter().all(is_used)

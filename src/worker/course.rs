@@ -18,7 +18,10 @@ const MOST_DEMANDS: usize = 4;
 /// A task over time in the world that it is said in.
 pub(super) struct Timed {
     terms: Terms,
+    /// What is left of it.
     task: TermId,
+    /// How many of its steps are done.
+    done: usize,
     pub(super) course: Course,
     /// Selections of what it demands that were not tried yet, the last first.
     left: Vec<Vec<TermId>>,
@@ -36,12 +39,20 @@ impl Timed {
             left.push(all);
         }
         left.reverse();
-        Ok(Timed { terms, task, course, left, trying: None })
+        Ok(Timed { terms, task, done: 0, course, left, trying: None })
     }
 
     /// Whether some phrase of it stands for nothing that there is.
     pub(super) fn is_lost(&self) -> bool {
         self.course.guards().iter().any(|goal| !goal.failures().is_empty())
+    }
+
+    /// Of a run so many of its steps were done in each state: what could be done instead is of what is left then.
+    pub(super) fn come_to(&mut self, done: &[u8]) {
+        let done = done.last().map_or(0, |&done| usize::from(done));
+        if let Ok(rest) = after(&mut self.terms, self.task, done.saturating_sub(self.done)) {
+            (self.task, self.done) = (rest, done);
+        }
     }
 
     /// Does a bounded part of looking for the least demand without which there is a way: whether that is over, with what
@@ -68,13 +79,12 @@ impl Timed {
     }
 
     /// The rest of the task from a state in which something is so that it demands not to be: once that is over, not again.
-    pub(super) fn once_out(&mut self, state: &State, done: usize) -> Option<Box<Instead>> {
+    pub(super) fn once_out(&mut self, state: &State) -> Option<Box<Instead>> {
         let all = demands(&self.terms, self.task).ok()?;
         let is_broken = |&demand: &TermId| {
             Goal::new(&self.terms, demand, state).is_ok_and(|goal| !goal.holds(state))
         };
         let broken: Vec<TermId> = all.into_iter().filter(is_broken).collect();
-        self.task = after(&mut self.terms, self.task, done).ok()?;
         self.instead(&broken, state, once)
     }
 

@@ -56,7 +56,7 @@ impl Looking {
             && answer.words.iter().all(|word| matches!(word.fate, Fate::Meant | Fate::Empty));
         let best = parse.answer().filter(|_| is_read)?;
         let form = print(&model.grammar.terms, best.form);
-        match Planning::begin(&form, &self.state, &self.rules, false).ok()? {
+        match Planning::begin(&form, std::slice::from_ref(&self.state), &self.rules, false).ok()? {
             Begun::Work(planning) => self.planning = Some((command, planning, 0)),
             Begun::Done(plan) => return self.shows(&plan).then(|| self.found(Some(command))),
         }

@@ -3,24 +3,21 @@
 
 use super::demonstration::Demonstrating;
 use super::job::{Job, Rest, Role, Step, misdirected};
-use super::lesson::{check, is_meant, mean, told};
 use super::progress::{CorpusReading, Read};
 use super::protocol::{
-    Event, FileReport, Lesson, MOST_TAUGHT, MappedFile, PairText, Program, Request, Rules,
-    Settings, SheetReport, StudyAsk, TeachReport,
+    Event, FileReport, MappedFile, Program, Request, Rules, Settings, SheetReport, StudyAsk,
 };
 use super::review::{self, Reviewing};
 use super::shard;
 use super::study;
-use super::talker::report;
+use super::teaching::teach;
 use super::training::Training;
-use crate::ccg::{EntryText, Model};
-use crate::corpus::{Cells, Decision, Example, Pair};
+use crate::ccg::Model;
 use crate::learn::audit::{Audit, Judged};
 use crate::learn::experiment::Selection;
 use crate::learn::fingerprint::fingerprint;
 use crate::learn::sheet::{Half, Sheet, Source};
-use crate::learn::{Config, Taught, Teaching, Trainer};
+use crate::learn::{Config, Trainer};
 
 /// What the learner keeps.
 #[derive(Default)]
@@ -191,61 +188,4 @@ fn opened(learner: &mut Learner, read: Read, with_rejected: bool) -> Event {
     let care = learner.sheet.care(None);
     let corpus = fingerprint(learner.sheet.examples());
     Event::Sheet(Box::new(SheetReport { files, faults, care, corpus }))
-}
-
-fn teach(model: &str, lessons: Vec<Lesson>) -> Result<Job<Learner>, String> {
-    if lessons.is_empty() || lessons.len() > MOST_TAUGHT {
-        return Err(format!("Teach between 1 and {MOST_TAUGHT} commands at once."));
-    }
-    let is_bare = |lesson: &&Lesson| lesson.pairs.is_empty() && lesson.means.is_none();
-    if let Some(bare) = lessons.iter().find(is_bare) {
-        return Err(format!("Show what to do when one says {:?}.", bare.command));
-    }
-    let model =
-        Model::read(model).map_err(|error| format!("The model cannot be read: {error}."))?;
-    let shown = lessons.iter().filter(|lesson| !lesson.pairs.is_empty());
-    let examples: Vec<Example> = shown.cloned().map(example).collect();
-    let config = Config { demonstrations: None, ..Config::of(&model) };
-    let teaching = Teaching::new(model, &examples, config)
-        .map_err(|error| format!("The model cannot be taught: {error}."))?;
-    let mut teaching = Some(teaching);
-    Ok(Box::new(move |_| match teaching.take_if(|teaching| teaching.is_done()) {
-        Some(done) => Step::Over(taught(done.end(), &lessons)),
-        None => {
-            teaching.iter_mut().for_each(Teaching::step);
-            Step::Working(None)
-        }
-    }))
-}
-
-fn taught(Taught { mut model, entries, understood }: Taught, lessons: &[Lesson]) -> Event {
-    let mut shown = understood.into_iter();
-    let (mut understood, mut refusal) = (Vec::new(), None);
-    for lesson in lessons {
-        let as_shown = !lesson.pairs.is_empty() && shown.next().unwrap_or(false);
-        refusal = mean(&mut model, lesson).err();
-        let is_meant = refusal.is_none() && is_meant(&mut model, lesson);
-        understood.push(if lesson.means.is_some() { is_meant } else { as_shown });
-    }
-    let last = lessons.last().filter(|last| last.means.is_none());
-    let check = last.map(|last| check(&mut model, last));
-    let told = entries.iter().map(|&id| told(&mut model, id)).collect();
-    let added = entries.into_iter().map(|id| EntryText::of(&model, id)).collect();
-    let model = report(&model, model.print());
-    Event::Taught(Box::new(TeachReport { model, added, told, understood, check, refusal }))
-}
-
-fn example(lesson: Lesson) -> Example {
-    let pairs = lesson.pairs.into_iter().map(|PairText { pre, post }| Pair::of(pre, post));
-    Example {
-        id: "taught".to_owned(),
-        line: 0,
-        command: lesson.command,
-        task: None,
-        worker: None,
-        decision: Decision::Open,
-        pairs: pairs.collect(),
-        rest: Cells::default(),
-        keys: Cells::default(),
-    }
 }

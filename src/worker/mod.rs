@@ -16,6 +16,7 @@ mod talker;
 mod progress;
 mod demonstration;
 mod lesson;
+mod teaching;
 mod training;
 mod shard;
 mod study;

@@ -40,6 +40,9 @@ pub(super) enum PlanError {
     /// The same of a task over time, or it has too many stages.
     #[error(transparent)]
     Errand(#[from] ErrandError),
+    /// The states are not of one world.
+    #[error("The states before are those of another world: plan again.")]
+    OtherWorld,
     /// The rules are none.
     #[error("the {} lies between 0 and 1, as a probability does", .0.name)]
     Rules(#[from] NotAProbability),
@@ -58,6 +61,8 @@ pub(super) struct Planning {
     task: Rc<Undertaking>,
     /// The task, if it is one over time.
     timed: Option<Timed>,
+    /// What was since the task was said.
+    before: Vec<State>,
     /// How many of its steps were done in each state of the run.
     done: Vec<u8>,
     /// What else could be done.
@@ -101,70 +106,70 @@ pub(super) struct Planned {
 }
 
 impl Planning {
-    /// Begins to plan for a goal of states or a task over time, which is said in `state`; in haste, if the first plan
-    /// will do where nothing is left to chance.
+    /// Begins to plan for a goal of states or a task over time, from the last of the states that were since it was said,
+    /// the first; in haste, if the first plan will do where nothing is left to chance.
     pub(super) fn begin(
         form: &str,
-        state: &State,
+        run: &[State],
         rules: &WorldRules,
         is_hasty: bool,
     ) -> Result<Begun, PlanError> {
+        let (Some(said), Some(state)) = (run.first(), run.last()) else {
+            return Err(PlanError::OtherWorld);
+        };
         let mut terms = Terms::new();
         let term = read(&mut terms, form)?;
         let done = |reason, instead| Ok(Begun::Done(Box::new(no_plan(state, reason, instead))));
+        let begun = |task: Undertaking, timed| {
+            let at = task.along(run).ok_or(PlanError::OtherWorld)?;
+            let planning = Planning::new(Rc::new(task), timed, (at, run), (rules.luck, is_hasty));
+            Ok(Begun::Work(Box::new(planning)))
+        };
         if terms.ty(term) != ty::RUN {
-            let goal = Goal::new(&terms, term, state)?;
-            let task = Task::new(&goal, state, world(goal.movable(state), rules)?)?;
+            let goal = Goal::new(&terms, term, said)?;
+            let task = Task::new(&goal, said, world(goal.movable(said), rules)?)?;
             if goal.denies_nothing() || task.is_impossible() {
                 let is_lost = !goal.failures().is_empty();
                 return done(if is_lost { "no_referent" } else { "unreachable" }, None);
             }
-            let task = Undertaking::Goal(Box::new(task));
-            return Ok(Self::begun(task, None, state, (rules.luck, is_hasty)));
+            return begun(Undertaking::Goal(Box::new(task)), None);
         }
-        let mut timed = Timed::new(terms, term, state)?;
+        let mut timed = Timed::new(terms, term, said)?;
         if timed.course.guards().iter().any(Goal::denies_nothing) {
             return done("no_referent", None);
         }
-        let world = world(timed.course.movable(state), rules)?;
-        let task = Undertaking::course(&timed.course, state, world)?;
-        if task.has_failed(task.initial()) {
-            return match timed.course.outline().is_never() {
-                true => done("unreachable", None),
-                false => done("already_broken", timed.once_out(state, 0)),
-            };
+        let world = world(timed.course.movable(said), rules)?;
+        let task = Undertaking::course(&timed.course, said, world)?;
+        let at = task.along(run).ok_or(PlanError::OtherWorld)?;
+        let steps = timed.course.done(run);
+        timed.come_to(&steps);
+        if task.has_failed(at) {
+            if timed.course.outline().is_never() {
+                return done("unreachable", None);
+            }
+            let reason = if run.len() > 1 { "broken" } else { "already_broken" };
+            let plan = no_plan(state, reason, timed.once_out(state));
+            let done = steps.last().copied().into_iter().collect();
+            return Ok(Begun::Done(Box::new(PlanText { done, ..plan })));
         }
-        Ok(Self::begun(task, Some(timed), state, (rules.luck, is_hasty)))
-    }
-
-    /// Begins to plan for what was planned for, from what a run has come to; nothing if that is of another world.
-    pub(super) fn go_on(task: Rc<Undertaking>, run: &[State]) -> Option<Planning> {
-        let at = task.along(run)?;
-        Some(Planning::new(task, None, (at, run.last()?), (0, false)))
-    }
-
-    fn begun(
-        task: Undertaking,
-        timed: Option<Timed>,
-        state: &State,
-        settings: (u32, bool),
-    ) -> Begun {
-        let task = Rc::new(task);
-        let at = task.world().initial();
-        Begun::Work(Box::new(Planning::new(task, timed, (at, state), settings)))
+        begun(task, Some(timed))
     }
 
     fn new(
         task: Rc<Undertaking>,
         timed: Option<Timed>,
-        (at, state): (Packed, &State),
+        (at, run): (Packed, &[State]),
         (luck, is_hasty): (u32, bool),
     ) -> Self {
         let first = solver(&task, task.known(at));
+        let (before, state) = match run.split_last() {
+            Some((last, before)) => (before.to_vec(), vec![last.clone()]),
+            None => (Vec::new(), Vec::new()),
+        };
         let run = Run {
             at,
             actions: Vec::new(),
-            states: vec![state.clone()],
+            states: state,
             stages: vec![at.mark()],
             again: None,
             replans: 0,
@@ -172,7 +177,7 @@ impl Planning {
             buffer: Vec::new(),
         };
         let (done, outcome, instead) = (Vec::new(), None, None);
-        Planning { task, timed, done, instead, first, outcome, is_hasty, run, steps: 0 }
+        Planning { task, timed, before, done, instead, first, outcome, is_hasty, run, steps: 0 }
     }
 
     /// Does a bounded part; the plan when it is there.
@@ -258,11 +263,16 @@ impl Planning {
             _ => Some("budget"),
         };
         let states = std::mem::take(&mut self.run.states);
-        self.done = self.timed.as_ref().map_or(Vec::new(), |timed| timed.course.done(&states));
+        if let Some(timed) = &self.timed {
+            let before = self.before.len();
+            let whole: Vec<State> = self.before.drain(..).chain(states.iter().cloned()).collect();
+            self.done = timed.course.done(&whole).split_off(before);
+        }
         let mut instead = self.instead.take().flatten();
         let is_broken = self.task.has_failed(self.run.at);
         if is_broken && let (Some(timed), Some(last)) = (&mut self.timed, states.last()) {
-            instead = timed.once_out(last, self.done.last().copied().unwrap_or(0).into());
+            timed.come_to(&self.done);
+            instead = timed.once_out(last);
         }
         let reason = if is_broken { Some("broken") } else { reason };
         PlanText {

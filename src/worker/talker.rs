@@ -54,7 +54,7 @@ impl Role for Talker {
                 state.check().map_err(|error| error.to_string())?;
                 Ok(ask(Asking::new(command, state, rules)))
             }
-            Request::Plan { form, state, rules } => plan(&form, &state, &rules),
+            Request::Plan { form, run, rules } => plan(&form, &run, &rules),
             Request::Values { state, done } => {
                 let planned = self.planned.clone().ok_or(NO_PLAN)?;
                 let mut valuing = Valuing::new(planned, &state, done).ok_or(OTHER_WORLD)?;
@@ -63,14 +63,15 @@ impl Role for Talker {
                     None => Step::Working(None),
                 }))
             }
-            Request::GoOn { run } => {
-                let planned = self.planned.clone().ok_or(NO_PLAN)?;
-                let mut planning =
-                    Planning::go_on(planned.task.clone(), &run).ok_or(OTHER_WORLD)?;
-                Ok(Box::new(move |_| match planning.step() {
-                    Some(plan) => Step::Over(Event::Planned(Box::new(plan))),
-                    None => Step::Working(planning.news().map(Event::Planning)),
-                }))
+            Request::GoOn { form, run, rules } => {
+                let begun = Planning::begin(&form, &run, &rules, false);
+                Ok(match begun.map_err(|error| error.to_string())? {
+                    Begun::Done(plan) => return say(Event::Planned(plan)),
+                    Begun::Work(mut planning) => Box::new(move |_| match planning.step() {
+                        Some(plan) => Step::Over(Event::Planned(Box::new(plan))),
+                        None => Step::Working(planning.news().map(Event::Planning)),
+                    }),
+                })
             }
             Request::RollOut { runs, seed } => {
                 let planned = self.planned.clone().ok_or(NO_PLAN)?;
@@ -145,8 +146,8 @@ fn ask(mut asking: Asking) -> Job<Talker> {
     })
 }
 
-fn plan(form: &str, state: &State, rules: &WorldRules) -> Result<Job<Talker>, String> {
-    let begun = Planning::begin(form, state, rules, false).map_err(|error| error.to_string())?;
+fn plan(form: &str, run: &[State], rules: &WorldRules) -> Result<Job<Talker>, String> {
+    let begun = Planning::begin(form, run, rules, false).map_err(|error| error.to_string())?;
     let mut planning = match begun {
         Begun::Work(planning) => Some(planning),
         Begun::Done(plan) => {

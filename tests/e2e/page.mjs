@@ -25,6 +25,39 @@ export async function openPage(t, address = t.address) {
   return demo;
 }
 
+/** Four rooms in a ring; the robot stands in the green one. */
+export const RING = `#############
+#rrrrr#bbbbb#
+#rrrrr+bbbbb#
+#rrrrr#bbbbb#
+###a#####c###
+#ggggg#yyyyy#
+#g<gggdyyyyy#
+#ggggg#yyyyy#
+#############
+
+r room red
+b room blue
+g room green
+y room yellow
++ door unlocked
+a door unlocked
+c door unlocked
+d door unlocked
+`;
+
+/** Opens the page in a world. */
+export async function openIn(t, world) {
+  const demo = await openPage(t);
+  await demo.mode('edit');
+  await demo.page.locator('summary', { hasText: 'Random' }).click();
+  await demo.press('world-text');
+  await demo.by('drawing').fill(world);
+  await demo.press('apply-text');
+  await demo.mode('watch');
+  return demo;
+}
+
 /** Opens the workbench and waits until its engine has read the six sentences. */
 export async function openTrain(t) {
   const demo = new Demo(t, await t.open(`${t.address}#train`));
@@ -194,6 +227,18 @@ export class Demo {
       if (at >= 0) this.heard = at + 1;
       return at >= 0;
     });
+  }
+
+  /** The rooms that the robot is in from step to step of the plan. */
+  async rooms() {
+    const all = [];
+    const last = Number(await this.by('plan').getAttribute('data-steps'));
+    for (let step = 0; step <= last; step += 1) {
+      await this.seek(step);
+      const { room } = await this.robot();
+      if (room && room !== all.at(-1)) all.push(room);
+    }
+    return all;
   }
 
   /** Chooses what the room is for: `watch`, `edit` or `teach`. */

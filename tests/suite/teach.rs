@@ -176,7 +176,12 @@ fn request(model: &str, lessons: &[Example]) -> Request {
         let pairs = example.pairs.iter();
         pairs.map(|p| PairText { pre: p.pre.clone(), post: p.post.clone() }).collect()
     };
-    let lesson = |e: &Example| Lesson { command: e.command.clone(), pairs: pairs(e), means: None };
+    let lesson = |e: &Example| Lesson {
+        command: e.command.clone(),
+        pairs: pairs(e),
+        runs: Vec::new(),
+        means: None,
+    };
     let examples = lessons.iter().map(lesson).collect();
     Request::Teach { model: model.to_owned(), examples }
 }

@@ -4,6 +4,8 @@
 mod collect;
 #[path = "ui/doubt.rs"]
 mod doubt;
+#[path = "ui/drives.rs"]
+mod drives;
 #[path = "ui/edit.rs"]
 mod edit;
 #[path = "ui/kept.rs"]
@@ -60,6 +62,7 @@ pub(crate) fn taught(text: &str, understood: &[bool]) -> Event {
         understood: understood.to_vec(),
         check: None,
         refusal: None,
+        by_end: false,
     }))
 }
 

@@ -8,6 +8,8 @@ mod doubts;
 mod experiments;
 #[path = "worker/large.rs"]
 mod large;
+#[path = "worker/drives.rs"]
+mod drives;
 #[path = "worker/lessons.rs"]
 mod lessons;
 #[path = "worker/messages.rs"]
@@ -132,7 +134,7 @@ fn a_corpus_is_read_and_kept_and_a_bad_one_replaces_nothing() {
     let show = |engine: &mut Engine<Learner>, row| only(pump(engine, 2, Request::ShowRow { row }));
     let first = show(&mut engine, 0);
     let Event::Row { row: 0, pairs } = &first else { panic!("{first:?}") };
-    assert_eq!(pairs[0].pre, six()[0].pairs[0].pre);
+    assert_eq!(pairs[0].pair.pre, six()[0].pairs[0].pre);
     let headers = SIX.lines().next().unwrap();
     let broken = SIX.replace("{\"\"agent\"\"", "{\"\"agnt\"\"");
     for (name, text) in [

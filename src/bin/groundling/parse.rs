@@ -3,6 +3,7 @@
 use super::command::{Blank, Command, Done, Failure, answer_lines, once};
 use super::corpora::speaker;
 use groundling::ccg::{ChartConfig, Explanation, parse, probability};
+use groundling::ground::forbids_idly;
 use groundling::logic::print;
 use lexopt::ValueExt;
 use serde_json::{Value, json};
@@ -65,7 +66,8 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
         }
         if let Some((probability, asks)) = probability(&model, &parse) {
             answer["probability"] = probability.into();
-            if asks {
+            let best = parse.answer().map(|reading| reading.form);
+            if asks || best.is_some_and(|best| forbids_idly(&model.grammar.terms, best)) {
                 answer["asks"] = true.into();
             }
         }

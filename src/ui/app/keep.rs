@@ -17,7 +17,6 @@ use crate::ui::talk;
 use crate::ui::talk::share::also::Also;
 use crate::ui::talk::share::exchange::is_settled;
 use crate::ui::talk::share::session::Session;
-use crate::worker::protocol::PairText;
 
 /// Milliseconds from a change to when it is kept: what changes meanwhile is kept with it.
 const WAIT_MS: u32 = 700;
@@ -180,7 +179,7 @@ fn packed(state: &State) -> Vec<u8> {
     let also = Also {
         preset: *preset,
         origin: (**origin).clone(),
-        draft: draft.clone().map(|draft| PairText { pre: draft.before, post: draft.after }),
+        draft: draft.clone(),
         lesson: talk.teach.words.clone(),
         input: talk.command.input.clone(),
         lines: talk.past.lines.clone(),

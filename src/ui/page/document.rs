@@ -3,9 +3,11 @@
 
 use super::world::{self, WORLDS};
 use crate::domain::State as World;
+use crate::domain::way::MOST_ACTIONS;
 use crate::worker::protocol::{
-    Answer, Lesson, PairText, PlanText, Reading, TrainReport, WorldRules,
+    Answer, Lesson, PairText, PlanText, Reading, RunText, TrainReport, WorldRules,
 };
+use serde::{Deserialize, Serialize};
 use std::rc::Rc;
 
 /// The document.
@@ -72,12 +74,16 @@ pub enum Origin {
 }
 
 /// A demonstration in preparation: the robot and the objects are taken to where the command should get them.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Draft {
     /// Before.
     pub before: World,
     /// After, as far as it is shown.
     pub after: World,
+    /// How one came to the other, a letter an action, while the robot is driven all the way.
+    pub way: Option<String>,
+    /// Ways from before that are not what is meant.
+    pub contrasts: Vec<String>,
 }
 
 /// A command that was taught.
@@ -151,7 +157,8 @@ impl Default for Document {
 impl Draft {
     /// A demonstration that begins in a world.
     pub fn new(before: World) -> Draft {
-        Draft { after: before.clone(), before }
+        let way = Some(String::new());
+        Draft { after: before.clone(), before, way, contrasts: Vec::new() }
     }
 
     /// Whether something is shown: a command that changes nothing means nothing.
@@ -159,9 +166,27 @@ impl Draft {
         self.before != self.after
     }
 
+    /// Another world is shown; by these steps, where the robot was driven.
+    pub fn show(&mut self, world: World, steps: Option<&str>) {
+        self.after = world;
+        let way = self.way.take().zip(steps).map(|(way, steps)| way + steps);
+        self.way = way.filter(|way| way.len() <= MOST_ACTIONS);
+    }
+
+    /// Begins anew; what is not meant stays.
+    pub fn clear(&mut self) {
+        self.after = self.before.clone();
+        self.way = Some(String::new());
+    }
+
     /// The demonstration as a lesson.
     pub fn lesson(&self, command: String) -> Lesson {
-        let pair = PairText { pre: self.before.clone(), post: self.after.clone() };
-        Lesson { command, pairs: vec![pair], means: None }
+        let (mut pairs, mut runs) = (Vec::new(), Vec::new());
+        let (start, contrast) = (self.before.clone(), self.contrasts.clone());
+        match self.way.clone() {
+            Some(actions) => runs.push(RunText { start, actions, contrast }),
+            None => pairs.push(PairText { pre: start, post: self.after.clone() }),
+        }
+        Lesson { command, pairs, runs, means: None }
     }
 }

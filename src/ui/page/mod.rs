@@ -4,6 +4,7 @@
 pub mod place;
 pub mod language;
 pub mod grammar;
+pub mod way;
 pub mod preferences;
 pub mod world;
 pub mod document;

@@ -79,6 +79,8 @@ pub enum Action {
     Ask,
     /// It was meant as the reading of this place.
     Choose(usize),
+    /// What can be done instead is to be done.
+    Instead,
     /// The engine that talks said something.
     Heard(Envelope<Event>),
     /// It broke, and how.

@@ -46,7 +46,17 @@ pub(super) fn choose(state: &mut State, place: usize) {
     let form = reading.form.clone();
     (said.chosen, said.plan, state.rehearsal) = (Some(place), None, None);
     let world = world(state);
-    send(state, Request::Plan { form, state: world, rules: RULES });
+    send(state, Request::Plan { form, run: vec![world], rules: RULES });
+}
+
+/// What can be done instead is to be done: without what leaves no way, or once that is over.
+pub(super) fn instead(state: &mut State) {
+    let Some(said) = &mut state.said else { return };
+    let instead = said.plan.as_ref().and_then(|plan| plan.instead.as_ref());
+    let Some(reading) = instead.map(|instead| instead.reading.clone()) else { return };
+    said.answer.readings.push(reading);
+    let place = said.answer.readings.len() - 1;
+    choose(state, place);
 }
 
 /// The engine has news.
@@ -76,9 +86,15 @@ pub(super) fn hear(state: &mut State, news: News) {
             }
         }
         News::Answer(Request::GoOn { .. }, Event::Planned(plan)) => {
-            event(state, Drive::Again(usable(&plan).then_some(plan.states)));
+            let states = usable(&plan).then(|| plan.states.clone());
+            // What was to hold on the way does not: it stops, and asks.
+            let asks = states.is_none() && plan.instead.is_some();
+            if let Some(said) = state.said.as_mut().filter(|_| asks) {
+                said.plan = Some(plan);
+            }
+            event(state, Drive::Again(states));
         }
-        News::Answer(Request::GoOn { run }, Event::Refused { .. })
+        News::Answer(Request::GoOn { run, .. }, Event::Refused { .. })
             if state.pilot.driver.is_thinking() =>
         {
             let is_asked = run.into_iter().last().is_some_and(|world| anew(state, world));

@@ -58,9 +58,12 @@ pub fn is_asking(state: &State) -> bool {
 /// Has a robot think again, from what its run has come to, for what its command meant where it was said; whether there is
 /// something to think of.
 pub(super) fn again(state: &mut State, run: Vec<World>) -> bool {
-    let is_said = state.plan().is_some() && !run.is_empty();
-    if is_said {
-        send(state, Request::GoOn { run });
+    let said = state.said.as_ref().filter(|_| state.plan().is_some() && !run.is_empty());
+    let reading = said.and_then(|said| said.answer.readings.get(said.chosen?));
+    let form = reading.map(|reading| reading.form.clone());
+    let is_said = form.is_some();
+    if let Some(form) = form {
+        send(state, Request::GoOn { form, run, rules: RULES });
     }
     is_said
 }
@@ -76,7 +79,7 @@ pub(super) fn anew(state: &mut State, world: World) -> bool {
     let form = reading.map(|reading| reading.form.clone());
     let is_said = form.is_some();
     if let Some(form) = form {
-        send(state, Request::Plan { form, state: world, rules: RULES });
+        send(state, Request::Plan { form, run: vec![world], rules: RULES });
     }
     is_said
 }

@@ -94,6 +94,7 @@ fn act(state: &mut State, action: Action) {
         Action::Typed(command) => ask::typed(state, &command),
         Action::Ask => ask::ask(state),
         Action::Choose(reading) => ask::choose(state, reading),
+        Action::Instead => ask::instead(state),
         Action::Heard(envelope) => {
             if let Some(news) = heard(state, Program::Talker, envelope) {
                 ask::hear(state, news);

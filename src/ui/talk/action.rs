@@ -6,6 +6,7 @@ use super::room::moved::Meant;
 use super::room::point::{Key, Point};
 use super::room::state::{Mode, Tool};
 use super::share::state::Link as Address;
+use super::teach::unlike::Unlike;
 use super::watch::state::{Layer, Speed};
 use super::why::help::Help;
 use crate::domain::{Blueprint, Color, State as World};
@@ -108,6 +109,8 @@ pub enum Action {
     TeachFit(usize),
     /// Begin the demonstration anew.
     ClearDraft,
+    /// A way is not what is meant.
+    Unlike(Unlike),
     /// Forget a lesson.
     Unteach(usize),
     /// Save all lessons as a corpus.

@@ -26,7 +26,9 @@ pub fn progressed(state: &mut State, shared: &Shared, event: Event) {
 /// A request has been answered.
 pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event: Event) {
     match (event, request) {
-        (Event::Planned(way), Request::GoOn { .. }) => ahead::came(state, shared, &way),
+        (Event::Planned(way), Request::GoOn { run, .. }) => {
+            ahead::came(state, shared, run.len().saturating_sub(1), &way);
+        }
         (_, Request::GoOn { .. }) => {}
         (Event::Answer(answer), Request::Read { .. })
             if wonder::was_read(state, shared, &answer) => {}

@@ -12,7 +12,7 @@ use super::room::{hand, moved, worlds};
 use super::share::exchange;
 use super::share::state::Sharing;
 use super::state::State;
-use super::teach::learn;
+use super::teach::{learn, unlike};
 use super::watch::{ahead, play, values};
 use super::why::mend;
 use super::words::Text;
@@ -111,6 +111,7 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::Teach => learn::teach(state, shared),
         Action::TeachFit(place) => learn::mean(state, shared, place),
         Action::ClearDraft => learn::clear_draft(state, shared),
+        Action::Unlike(which) => unlike::unlike(state, shared, which),
         Action::Unteach(place) => learn::unteach(state, shared, place),
         Action::SaveLessons => learn::save(shared),
 
@@ -133,6 +134,7 @@ pub fn deepened(state: &State, shared: &mut Shared) {
 pub fn travelled(state: &mut State, shared: &mut Shared, words: &str) {
     state.watch.forget();
     state.room.let_go();
+    learn::look(state, shared);
     let said = shared.document.said.as_ref().map(|said| said.answer.command.clone());
     state.command = Command { input: said.unwrap_or_default(), ..Command::default() };
     study::study(state, shared);

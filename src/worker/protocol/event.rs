@@ -1,7 +1,7 @@
 //! What an engine says to the page.
 
 use super::learning::{
-    Demonstrated, ExperimentProgress, Judgement, PairText, Progress, TeachReport, TrainReport,
+    Demonstrated, ExperimentProgress, Judgement, Progress, Shown, TeachReport, TrainReport,
 };
 use super::planning::{Answer, PlanProgress, PlanText, Runs, ValueMap};
 use super::reading::Study;
@@ -82,7 +82,7 @@ pub enum Event {
         /// Index into the sheet.
         row: usize,
         /// Its demonstrations.
-        pairs: Vec<PairText>,
+        pairs: Vec<Shown>,
     },
     /// Training has seen one more example.
     Progress(Progress),

@@ -17,8 +17,11 @@ pub const MOST_TAUGHT: usize = 100;
 pub struct Lesson {
     /// The command.
     pub command: String,
-    /// Its demonstrations; none where its meaning was said in other words.
+    /// Its demonstrations whose way is not known; none where its meaning was said in other words.
     pub pairs: Vec<PairText>,
+    /// Its demonstrations that were driven.
+    #[serde(default)]
+    pub runs: Vec<RunText>,
     /// What the whole command means, where the person said so.
     #[serde(default)]
     pub means: Option<Meaning>,
@@ -84,6 +87,28 @@ pub struct PairText {
     pub post: State,
 }
 
+/// A demonstration of a row.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Shown {
+    /// Its first and its last state.
+    pub pair: PairText,
+    /// The run that it is, where the way is known.
+    pub run: Option<RunText>,
+}
+
+/// One demonstration that was driven, as corpora have it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(expecting = "a run: {start, actions, contrast}")]
+pub struct RunText {
+    /// Where it begins.
+    pub start: State,
+    /// What was done, a letter an action.
+    pub actions: String,
+    /// Other ways from there, which are not what is meant.
+    #[serde(default)]
+    pub contrast: Vec<String>,
+}
+
 /// How far training is.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Progress {
@@ -131,6 +156,8 @@ pub struct TeachReport {
     pub check: Option<Check>,
     /// Why the last example cannot mean what was said, if so.
     pub refusal: Option<Refusal>,
+    /// Whether the last example was driven, and only where that ends was learned from.
+    pub by_end: bool,
 }
 
 /// What words mean now.

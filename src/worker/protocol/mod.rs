@@ -17,8 +17,8 @@ pub use beyond::{Beyond, beyond, lost};
 pub use event::Event;
 pub use learning::{
     Check, Confused, CorpusFile, Demonstrated, ExperimentProgress, Figures, Fit, Judgement, Lesson,
-    MOST_TAUGHT, Meaning, PairText, Progress, Refusal, RunPart, RunReport, TaskFigures,
-    TeachReport, Told, TrainReport, What,
+    MOST_TAUGHT, Meaning, PairText, Progress, Refusal, RunPart, RunReport, RunText, Shown,
+    TaskFigures, TeachReport, Told, TrainReport, What,
 };
 pub use message::{Envelope, Program, VERSION};
 pub use planning::{

@@ -73,8 +73,8 @@ pub enum Request {
     Plan {
         /// The goal as an s-expression.
         form: String,
-        /// The state of the world.
-        state: State,
+        /// The states from where it was said to where it is to be planned from; for a goal of states those two will do.
+        run: Vec<State>,
         /// What can happen in that world.
         rules: WorldRules,
     },
@@ -124,12 +124,15 @@ pub enum Request {
         /// The world.
         state: State,
     },
-    /// Plans on from what a run has come to, for what the goal of the plan which is kept meant at first; a task over time goes
-    /// on behind what is done of it →
-    /// [`Event::Planning`](super::Event::Planning) now and then, then [`Event::Planned`](super::Event::Planned). The policy that is kept stays.
+    /// Plans as `Plan` does, while the policy that is kept stays → [`Event::Planning`](super::Event::Planning) now and then,
+    /// then [`Event::Planned`](super::Event::Planned).
     GoOn {
-        /// The states of the run, from where the goal was said to the world as it is; of a goal of states the last alone will do.
+        /// The goal as an s-expression.
+        form: String,
+        /// The states from where it was said to where it is to be planned from.
         run: Vec<State>,
+        /// What can happen in that world.
+        rules: WorldRules,
     },
     /// The states of one row of the sheet → [`Event::Row`](super::Event::Row).
     ShowRow {

@@ -1,7 +1,7 @@
 //! What is said of a corpus that is worked on: files and their columns, rows and windows of them, what was decided, what
 //! a model makes of them, and training on them.
 
-use super::learning::{CorpusFile, Judgement, PairText, RunReport};
+use super::learning::{CorpusFile, Judgement, RunReport, Shown};
 use super::reading::{Reading, Word};
 use crate::corpus::Mapping;
 use crate::learn::sheet::Care;
@@ -116,7 +116,7 @@ pub struct RowReading {
     /// How likely the best reading is what was meant.
     pub probability: Option<f64>,
     /// The demonstrations.
-    pub pairs: Vec<PairText>,
+    pub pairs: Vec<Shown>,
 }
 
 /// What the runs of a plan found, joined.

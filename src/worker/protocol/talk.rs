@@ -46,7 +46,7 @@ enum Asked {
     Words { text: String },
     Read { command: String, state: State },
     Ask { command: String, state: State, rules: WorldRules },
-    Plan { form: String, state: State, rules: WorldRules },
+    Plan { form: String, run: Vec<State>, rules: WorldRules },
     Values { state: State, done: u8 },
     RollOut { runs: u32, seed: u32 },
     Explain { command: String },
@@ -54,7 +54,7 @@ enum Asked {
     Draw { blueprint: Blueprint, seed: u32 },
     ReadWorld { text: String },
     WriteWorld { state: State },
-    GoOn { run: Vec<State> },
+    GoOn { form: String, run: Vec<State>, rules: WorldRules },
 }
 
 #[derive(Deserialize)]

@@ -2,43 +2,10 @@
 // explained and relaxed; one that is broken from the beginning.
 
 import { flow } from '../flow.mjs';
-import { openPage } from '../page.mjs';
-
-/** Four rooms in a ring; the robot stands in the green one. */
-const RING = `#############
-#rrrrr#bbbbb#
-#rrrrr+bbbbb#
-#rrrrr#bbbbb#
-###a#####c###
-#ggggg#yyyyy#
-#g<gggdyyyyy#
-#ggggg#yyyyy#
-#############
-
-r room red
-b room blue
-g room green
-y room yellow
-+ door unlocked
-a door unlocked
-c door unlocked
-d door unlocked
-`;
+import { Demo, RING, openIn } from '../page.mjs';
 
 /** The same without the door between the red and the blue room. */
 const OPEN = RING.replace('rrrrr+bbbbb', 'rrrrr#bbbbb').replace('+ door unlocked\n', '');
-
-/** Opens the page in a world. */
-async function openIn(t, world) {
-  const demo = await openPage(t);
-  await demo.mode('edit');
-  await demo.page.locator('summary', { hasText: 'Random' }).click();
-  await demo.press('world-text');
-  await demo.by('drawing').fill(world);
-  await demo.press('apply-text');
-  await demo.mode('watch');
-  return demo;
-}
 
 const steps = (demo) => demo.page.locator('[data-testid="step"]').evaluateAll((all) =>
   all.map((one) => `${one.dataset.stand}: ${one.textContent}`));
@@ -46,18 +13,6 @@ const forbidden = (demo) => demo.page.locator('.forbidden').count();
 
 /** How many actions the plan has. */
 const length = async (demo) => Number(await demo.by('plan').getAttribute('data-steps'));
-
-/** The rooms that the robot is in from step to step. */
-async function rooms(demo) {
-  const all = [];
-  const last = await length(demo);
-  for (let step = 0; step <= last; step += 1) {
-    await demo.seek(step);
-    const { room } = await demo.robot();
-    if (room && room !== all.at(-1)) all.push(room);
-  }
-  return all;
-}
 
 flow('one room after the other, and one never: said, shown, done, undone', async (t) => {
   const demo = await openIn(t, RING);
@@ -67,7 +22,7 @@ flow('one room after the other, and one never: said, shown, done, undone', async
   await t.check(async () => (await forbidden(demo)) >= 15, async () => `${await forbidden(demo)} cells are hatched`);
   await demo.seek(0);
   await t.equal(() => steps(demo), ['next: the blue room', 'later: the red room'], 'the first step is next');
-  await t.equal(() => rooms(demo), ['green', 'red', 'blue', 'red'], 'the way');
+  await t.equal(() => demo.rooms(), ['green', 'red', 'blue', 'red'], 'the way');
   await t.equal(() => steps(demo), ['done: the blue room', 'done: the red room'], 'all is done');
   await t.accessible('a task over time');
   await demo.seek(Math.floor((await length(demo)) * 0.7));
@@ -87,8 +42,51 @@ flow('where a demand leaves no way it is named, and what is meant can be done wi
   await t.shot('time-blocked');
   await demo.help('instead').click();
   await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
-  await t.equal(() => rooms(demo), ['green', 'yellow', 'blue'], 'the way without');
+  await t.equal(() => demo.rooms(), ['green', 'yellow', 'blue'], 'the way without');
   await t.equal(() => demo.why(), [], 'nothing is wrong any more');
+
+  await demo.press('share');
+  await demo.by('link').waitFor();
+  const link = await demo.by('link').inputValue();
+  const context = await t.context.browser().newContext();
+  try {
+    const page = await context.newPage();
+    await page.goto(link);
+    const other = new Demo(t, page);
+    await other.ready();
+    await t.until('there is a plan', async () => (await other.by('plan').count()) > 0);
+    await t.equal(() => other.plain(), await demo.plain(), 'what is done instead comes over');
+    await t.equal(() => other.rooms(), ['green', 'yellow', 'blue'], 'and its way');
+  } finally {
+    await context.close();
+  }
+});
+
+flow('a robot that is carried where it may not be stops and asks; carried elsewhere it goes on', async (t) => {
+  const demo = await openIn(t, RING);
+  await demo.ask('go to the blue room but never enter the yellow room');
+  await demo.planned();
+  await demo.seek(2);
+  await demo.drag([3, 3], [9, 2]);
+  await demo.by('moved-keep').click();
+  await t.equal(() => demo.why(), ['broken'], 'why it stopped');
+  await t.accessible('a task that was broken');
+  await t.shot('time-carried');
+  await demo.help('instead').click();
+  await demo.planned();
+  await t.equal(() => demo.rooms(), ['yellow', 'blue'], 'out of there, and not again');
+
+  await demo.press('reset-world');
+  await demo.ask('go to the red room and then to the blue room');
+  await demo.planned();
+  await demo.seek(4);
+  await t.equal(async () => (await demo.robot()).room, 'red', 'the first step is done');
+  await demo.drag([3, 5], [2, 2]);
+  await demo.by('moved-keep').click();
+  await demo.planned();
+  await t.check(async () => (await steps(demo))[0] === 'done: the red room', async () => `${await steps(demo)}`);
+  await demo.finish();
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'it goes on');
 });
 
 flow('what is broken from the beginning is done once that is over', async (t) => {

@@ -7,7 +7,7 @@ use groundling::ui::page::effect::Effect;
 use groundling::ui::page::preferences::Depth;
 use groundling::ui::talk;
 use groundling::ui::talk::share::session::{Session, SessionError, VERSION};
-use groundling::worker::protocol::{Event, Lesson, MOST_TAUGHT, Request, WorldRules};
+use groundling::worker::protocol::{Event, Lesson, MOST_TAUGHT, Request, RunText, WorldRules};
 use proptest::prelude::any;
 use proptest::proptest;
 
@@ -19,10 +19,20 @@ fn session() -> Session {
         command: Some("go to the blue room".to_owned()),
         form: Some("(g:t)".to_owned()),
         depth: Depth::See,
-        lessons: vec![Lesson { command: "scoot".to_owned(), pairs: vec![pair()], means: None }],
+        lessons: vec![Lesson {
+            command: "scoot".to_owned(),
+            pairs: vec![pair()],
+            runs: vec![driven("nn", "ee")],
+            means: None,
+        }],
         model: None,
         also: None,
     }
+}
+
+fn driven(actions: &str, contrast: &str) -> RunText {
+    let contrast = vec![contrast.to_owned()];
+    RunText { start: world(), actions: actions.to_owned(), contrast }
 }
 
 #[test]
@@ -99,7 +109,7 @@ fn what_a_link_may_not_hold_is_refused_and_changes_nothing() {
         session
     };
     type Wanted = fn(&SessionError) -> bool;
-    let cases: [(Session, Wanted); 7] = [
+    let cases: [(Session, Wanted); 8] = [
         (with(|s| s.version = 99), |e| matches!(e, SessionError::Version(99))),
         (with(|s| s.world.agent.x = 500), |e| matches!(e, SessionError::World(_))),
         (with(|s| s.rules.slip = 1.5), |e| *e == SessionError::Rules),
@@ -107,7 +117,12 @@ fn what_a_link_may_not_hold_is_refused_and_changes_nothing() {
         (with(|s| s.lessons = vec![s.lessons[0].clone(); MOST_TAUGHT + 1]), |e| {
             matches!(e, SessionError::Lessons(_))
         }),
-        (with(|s| s.lessons[0].pairs.clear()), |e| *e == SessionError::Lesson(1)),
+        (with(|s| (s.lessons[0].pairs, s.lessons[0].runs) = Default::default()), |e| {
+            *e == SessionError::Lesson(1)
+        }),
+        (with(|s| s.lessons[0].runs[0].actions = "nx".to_owned()), |e| {
+            *e == SessionError::Lesson(1)
+        }),
         (with(|s| s.command = Some("x".repeat(5_000))), |e| *e == SessionError::Command),
     ];
     for (session, wanted) in cases {

@@ -7,11 +7,14 @@ use groundling::ui::page::effect::{Effect, Timer};
 use groundling::ui::page::preferences::Depth;
 use groundling::ui::talk;
 use groundling::ui::talk::command::ask::is_asking;
+use groundling::ui::talk::room::moved::Meant;
+use groundling::ui::talk::room::point::{Point, PointKind};
 use groundling::ui::talk::watch::playback::Surprise;
 use groundling::ui::talk::watch::state::{Layer, Speed};
 use groundling::ui::talk::watch::values::RUNS;
+use groundling::ui::talk::why::help::Help;
 use groundling::worker::protocol::{
-    Event, PlanProgress, PlanText, Program, Request, Runs, ValueMap, WorldRules,
+    Event, Instead, PlanProgress, PlanText, Program, Request, Runs, ValueMap, WorldRules,
 };
 
 #[test]
@@ -123,9 +126,10 @@ fn a_plan_that_may_be_too_long_is_walked_while_a_shorter_way_on_is_looked_for() 
     page.answer(Event::Answer(Box::new(understood("go", Some(open(&start, 30))))));
     let ahead = |page: &mut Page| {
         assert!(page.play_on());
-        let Request::GoOn { run } = page.asked() else { panic!() };
+        let Request::GoOn { run, .. } = page.asked() else { panic!() };
         assert!(!is_asking(&page.state.shared), "nobody waits for it");
-        run[0].clone()
+        assert_eq!(run.first(), Some(&world()), "since it was said");
+        run.last().unwrap().clone()
     };
     let from = ahead(&mut page);
     assert_eq!(from.agent.x, start.agent.x + 11, "so much is walked meanwhile");
@@ -146,7 +150,8 @@ fn a_plan_that_may_be_too_long_is_walked_while_a_shorter_way_on_is_looked_for() 
     page.act(talk::Action::AskExample("go".to_owned()));
     let start = page.shown().clone();
     page.answer(Event::Answer(Box::new(understood("go", Some(open(&start, 30))))));
-    ahead(&mut page);
+    assert!(page.play_on());
+    assert!(matches!(page.asked(), Request::GoOn { .. }));
     page.act(talk::Action::Typed("stop".to_owned()));
     assert!(matches!(page.posted.last(), Some((_, _, Request::Cancel))));
 }
@@ -163,8 +168,8 @@ fn another_reading_is_planned_for_from_where_the_command_was_said() {
     page.act(talk::Action::Choose(7));
     assert!(page.posted.is_empty(), "there is no such reading");
     page.act(talk::Action::Choose(1));
-    let Request::Plan { form, state, .. } = page.asked() else { panic!() };
-    assert_eq!((form.as_str(), state), ("(g:t)", &start));
+    let Request::Plan { form, run, .. } = page.asked() else { panic!() };
+    assert_eq!((form.as_str(), &run[..]), ("(g:t)", std::slice::from_ref(&start)));
     page.answer(Event::Planned(Box::new(plan(&start, 1))));
     while page.play_on() {}
     assert_eq!(page.shown().agent.x, start.agent.x + 1);
@@ -179,8 +184,8 @@ fn other_rules_plan_anew_and_are_undone_like_all_else() {
     let mut page = Page::told(2);
     let rules = WorldRules { pull: true, slip: 0.1, ..WorldRules::default() };
     page.act(talk::Action::SetRules(rules));
-    assert!(matches!(page.asked(), Request::Plan { state, rules: asked, .. }
-        if *state == start && *asked == rules));
+    assert!(matches!(page.asked(), Request::Plan { run, rules: asked, .. }
+        if *run == [start.clone()] && *asked == rules));
     page.answer(Event::Planned(Box::new(no_plan("unreachable"))));
     assert_eq!(
         page.state.shared.document.plan().and_then(|p| p.reason.clone()).as_deref(),
@@ -281,4 +286,48 @@ fn studies_are_asked_for_by_those_who_study() {
     };
     assert!(explain(&page));
     assert!(!page.others.iter().any(|effect| matches!(effect, Effect::FetchModel)));
+}
+
+/// A page that was told a task over time of so many steps to the east.
+fn timed(steps: i32) -> Page {
+    let mut page = Page::ready();
+    page.act(talk::Action::AskExample("go".to_owned()));
+    let done = (0..=steps).map(|at| u8::from(at > 1)).collect();
+    let plan = PlanText { done, ..plan(&world(), steps) };
+    page.answer(Event::Answer(Box::new(understood("go", Some(plan)))));
+    page
+}
+
+/// Takes the robot to a cell while it is on its way, and says that the world is to be so.
+fn carry(page: &mut Page, cell: (i32, i32)) {
+    let robot = (page.shown().agent.x, page.shown().agent.y);
+    for (kind, cell) in [(PointKind::Down, robot), (PointKind::Move, cell), (PointKind::Up, cell)] {
+        let (x, y) = (cell.0 as f32, cell.1 as f32);
+        page.act(talk::Action::Point(Point { kind, x, y, cell }));
+    }
+    page.act(talk::Action::Mean(Meant::World));
+}
+
+#[test]
+fn a_task_over_time_goes_on_where_the_robot_was_carried_or_asks() {
+    let mut page = timed(3);
+    assert!(page.play_on());
+    carry(&mut page, (6, 6));
+    let Request::Plan { run, .. } = page.asked() else { panic!() };
+    let robots: Vec<(i32, i32)> = run.iter().map(|one| (one.agent.x, one.agent.y)).collect();
+    assert_eq!(robots, [(6, 2), (7, 2), (6, 6)], "all that was since it was said");
+    let instead = Some(Box::new(Instead { demands: Vec::new(), reading: reading("(h:p)") }));
+    let broken = PlanText { instead, ..no_plan("broken") };
+    page.answer(Event::Planned(Box::new(broken)));
+    let kinds: Vec<&str> = page.messages().iter().map(|message| message.kind).collect();
+    assert_eq!(kinds, ["broken"]);
+    page.act(talk::Action::Help(Help::Instead(Vec::new(), true)));
+    let Request::Plan { form, run, .. } = page.asked() else { panic!() };
+    assert_eq!((&**form, run.len(), run[0].agent.x), ("(h:p)", 1, 6), "from where it is");
+
+    // A task that is done is not gone on with.
+    let mut page = timed(3);
+    while page.play_on() {}
+    carry(&mut page, (6, 6));
+    assert!(page.state.shared.document.said.is_none());
 }

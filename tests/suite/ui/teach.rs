@@ -62,9 +62,9 @@ fn what_was_taught_is_used_at_once() {
     page.act(talk::Action::Teach);
     let Request::Teach { model: base, examples } = page.asked() else { panic!() };
     assert_eq!(base, "the model");
-    let [Lesson { command, pairs, .. }] = examples.as_slice() else { panic!() };
-    assert_eq!((command.as_str(), &pairs[0].pre), ("scoot over", &world()));
-    assert_eq!(pairs[0].post.agent.x, world().agent.x - 1);
+    let [Lesson { command, pairs, runs, .. }] = examples.as_slice() else { panic!() };
+    assert_eq!((command.as_str(), pairs.len()), ("scoot over", 0));
+    assert_eq!((&runs[0].start, &*runs[0].actions), (&world(), "w"), "the way is known");
     page.answer(taught("taught once", &[true]));
     assert_eq!(page.asked(), &Request::OpenModel { text: "taught once".to_owned() });
     page.answer(Event::Opened(model("taught once")));

@@ -15,8 +15,8 @@ use groundling::ui::train::run::state::{Pace, can_train};
 use groundling::ui::train::{Action, State, data, reduce, run};
 use groundling::worker::protocol::{
     self, Checkpoint, Deed, Done, Envelope, Event, Fault as Flaw, FileReport, Lexicon, Line,
-    Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Status, VERSION,
-    Verdict, View, Window,
+    Preview, Program, Progress, Request, SeedLexicon, Settings, SheetReport, Shown, Status,
+    VERSION, Verdict, View, Window,
 };
 use std::rc::Rc;
 
@@ -50,7 +50,9 @@ impl Bench {
                     Event::Window(Box::new(Window { total: rows, offset, lines }))
                 }
                 Request::Facets => Event::Facets(Box::default()),
-                Request::ShowRow { row } => Event::Row { row, pairs: vec![pair()] },
+                Request::ShowRow { row } => {
+                    Event::Row { row, pairs: vec![Shown { pair: pair(), run: None }] }
+                }
                 _ => Event::Heard,
             };
             self.hear(id, event);

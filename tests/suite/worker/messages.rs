@@ -8,9 +8,10 @@ use groundling::worker::protocol::{
     Answer, Article, CellValue, Check, Claim, Closed, Confused, Demonstrated, Description,
     EntryText, Envelope, Event, ExperimentProgress, Explanation, Fate, Figures, Instead, Judgement,
     Lesson, Meaning, Node, Noun, PairText, Part, Phrase, Piece, PlanProgress, PlanText, Program,
-    Progress, Reading, Referent, Refers, Refusal, Request, RunPart, RunReport, Runs, Settings,
-    Shade, Study, Taken, TaskFigures, TeachReport, Told, TrainReport, VERSION, ValueMap, Wanted,
-    What, Why, WireError, Word, WorldRules, decode, decode_asked, decode_said, encode,
+    Progress, Reading, Referent, Refers, Refusal, Request, RunPart, RunReport, RunText, Runs,
+    Settings, Shade, Shown, Study, Taken, TaskFigures, TeachReport, Told, TrainReport, VERSION,
+    ValueMap, Wanted, What, Why, WireError, Word, WorldRules, decode, decode_asked, decode_said,
+    encode,
 };
 use groundling::worker::{Engine, Learner, Talker};
 use serde::{Serialize, de::DeserializeOwned};
@@ -108,6 +109,11 @@ fn requests() -> Vec<Request> {
             examples: vec![Lesson {
                 command: "go".to_owned(),
                 pairs: vec![pair],
+                runs: vec![RunText {
+                    start: state.clone(),
+                    actions: "nn".to_owned(),
+                    contrast: vec!["ee".to_owned()],
+                }],
                 means: Some(Meaning::Words("walk".to_owned())),
             }],
         },
@@ -120,9 +126,9 @@ fn requests() -> Vec<Request> {
         Request::OpenModel { text: "groundling model 1\nend\n".to_owned() },
         Request::Words { text: "stool\tchair\n".to_owned() },
         Request::Ask { command: "go".to_owned(), state: state.clone(), rules },
-        Request::Plan { form: "p:t".to_owned(), state: state.clone(), rules },
+        Request::Plan { form: "p:t".to_owned(), run: vec![state.clone()], rules },
         Request::Values { state: state.clone(), done: 0 },
-        Request::GoOn { run: vec![state.clone()] },
+        Request::GoOn { form: "p:t".to_owned(), run: vec![state.clone()], rules },
         Request::RollOut { runs: 100, seed: 7 },
         Request::Demonstrate { command, state, settings: settings(2) },
         Request::Cancel,
@@ -298,7 +304,17 @@ fn events() -> Vec<Event> {
         Event::Pong,
         Event::Crashed { message: "at line 1".to_owned() },
         Event::Reading { done: 1 << 40, of: u64::MAX },
-        Event::Row { row: 0, pairs: vec![PairText { pre: pair.pre, post: pair.post }] },
+        Event::Row {
+            row: 0,
+            pairs: vec![Shown {
+                run: Some(RunText {
+                    start: pair.pre.clone(),
+                    actions: "n".to_owned(),
+                    contrast: Vec::new(),
+                }),
+                pair: PairText { pre: pair.pre, post: pair.post },
+            }],
+        },
         Event::Progress(progress.clone()),
         Event::Experimenting(learning),
         Event::Experimenting(judging),
@@ -312,6 +328,7 @@ fn events() -> Vec<Event> {
             understood: vec![true],
             check: Some(Check { ends: false, fits: Vec::new() }),
             refusal: Some(Refusal::Closed("not".to_owned())),
+            by_end: true,
         })),
         Event::Words,
         Event::Explained(vec![Study {

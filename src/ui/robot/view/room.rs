@@ -107,13 +107,27 @@ fn answer(state: &State, act: &Callback<Action>) -> Html {
                 Some(plan) if plan.reached => html! {
                     <p data-testid="plan" data-steps={plan.actions.len().to_string()}>{ (text.plan)(done, of) }</p>
                 },
-                Some(_) => {
+                Some(plan) => {
                     let failing = answer.readings.get(chosen).into_iter().flat_map(|reading| &reading.phrases);
                     let failing = failing.filter(|phrase| !matches!(phrase.refers, Refers::One | Refers::Inner));
                     html! {
                         <>
                             { for failing.map(|phrase| html! { <p class="notice">{ text.grammar.failure(phrase) }</p> }) }
-                            <p class="notice" data-testid="no-way">{ text.no_way }</p>
+                            { match &plan.instead {
+                                Some(instead) => {
+                                    let demands = instead.demands.iter().map(|one| text.grammar.claim(one));
+                                    let demands = text.grammar.list(&demands.collect::<Vec<_>>());
+                                    let is_blocked = plan.reason.as_deref() == Some("unreachable");
+                                    html! {
+                                        <p class="notice" data-testid="demands">
+                                            { (text.demands)(&demands) }{" "}
+                                            <button type="button" data-testid="instead" onclick={sends(act, Action::Instead)}>
+                                                { if is_blocked { text.without } else { text.once } }</button>
+                                        </p>
+                                    }
+                                }
+                                None => html! { <p class="notice" data-testid="no-way">{ text.no_way }</p> },
+                            } }
                         </>
                     }
                 }

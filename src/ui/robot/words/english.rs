@@ -179,6 +179,9 @@ pub(super) static ENGLISH: Text = Text {
     unknown: |words| format!("It does not know {}.", quoted(words)),
     left_out: |words| format!("It would have to leave out {}.", quoted(words)),
     no_way: "There is no way to do that.",
+    demands: |what| format!("This does not hold, or leaves no way: {what}."),
+    without: "Do it without this",
+    once: "See to this first, and keep to it then",
     done_already: "That is so already.",
     room: "The rooms, as the robot is seen in them",
 };

@@ -185,6 +185,9 @@ pub(super) static GERMAN: Text = Text {
     unknown: |words| format!("Er kennt {} nicht.", quoted(words)),
     left_out: |words| format!("Er müsste {} auslassen.", quoted(words)),
     no_way: "Dahin führt kein Weg.",
+    demands: |what| format!("Das gilt nicht, oder es lässt keinen Weg: {what}."),
+    without: "Ohne das tun",
+    once: "Erst dafür sorgen, dann dabei bleiben",
     done_already: "Das ist schon so.",
     room: "Die Räume, und wo der Roboter darin zu sehen ist",
 };

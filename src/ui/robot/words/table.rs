@@ -101,6 +101,9 @@ pub struct Text {
     pub unknown: fn(&[&str]) -> String,
     pub left_out: fn(&[&str]) -> String,
     pub no_way: &'static str,
+    pub demands: fn(&str) -> String,
+    pub without: &'static str,
+    pub once: &'static str,
     pub done_already: &'static str,
     pub room: &'static str,
 }

@@ -66,6 +66,7 @@ pub(crate) fn ask(state: &mut State, shared: &mut Shared) {
     state.room.mode = Mode::Watch;
     state.room.let_go();
     state.command.forget();
+    (state.teach.notice, state.teach.offer) = (None, None);
     shared.want(Effect::Reveal("scene"));
     let command = state.command.input.clone();
     request(state, shared, |world, rules| Request::Ask { command, state: world, rules });
@@ -130,7 +131,18 @@ pub(super) fn plan_again(state: &mut State, shared: &mut Shared) {
     let Some(reading) = said.answer.readings.get(said.chosen) else { return };
     let form = reading.form.clone();
     shared.document.world = (*said.world).clone();
-    request(state, shared, |world, rules| Request::Plan { form, state: world, rules });
+    request(state, shared, |world, rules| Request::Plan { form, run: vec![world], rules });
+}
+
+/// Plans anew for what was said last, after what was since then: the world is another than it was to be.
+pub(crate) fn plan_on(state: &mut State, shared: &mut Shared, run: Vec<World>) {
+    let Some((said, world)) = shared.document.said.as_mut().zip(run.last()) else { return };
+    let Some(form) = said.answer.readings.get(said.chosen).map(|one| one.form.clone()) else {
+        return;
+    };
+    said.plan = None;
+    shared.document.world = world.clone();
+    request(state, shared, |_, rules| Request::Plan { form, run, rules });
 }
 
 fn request(

@@ -23,6 +23,10 @@ pub(crate) fn study(state: &State, shared: &mut Shared) {
 pub(crate) fn look_closer(state: &mut State, shared: &mut Shared) {
     study(state, shared);
     let wanted = state.resume.form.take();
+    let instead = shared.document.plan().and_then(|plan| plan.instead.as_ref());
+    if instead.is_some_and(|instead| wanted.as_ref() == Some(&instead.reading.form)) {
+        return ask::instead(state, shared);
+    }
     let readings = shared.document.said.iter().flat_map(|said| said.answer.readings.iter());
     let place = wanted.and_then(|form| readings.clone().position(|reading| reading.form == form));
     let asks_first = shared.document.said.as_ref().is_some_and(Said::asks_first);

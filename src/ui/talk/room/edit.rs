@@ -83,16 +83,21 @@ pub fn turn(state: &State) -> State {
 /// # Errors
 /// When it would stay where it is.
 pub fn drive(state: &State, direction: Direction) -> Result<State, Obstacle> {
-    let action = match direction {
-        Direction::North => Action::North,
-        Direction::South => Action::South,
-        Direction::East => Action::East,
-        Direction::West => Action::West,
-    };
+    let action = action(direction);
     let dynamics = Dynamics::new(state, Rules::default()).map_err(|_| Obstacle::TooLarge)?;
     let packed = dynamics.pack(state).map_err(|_| Obstacle::NoFloor)?;
     let next = dynamics.unpack(dynamics.step(packed, action));
     if next == *state { Err(Obstacle::Blocked) } else { Ok(next) }
+}
+
+/// What drives the robot to a side.
+pub const fn action(direction: Direction) -> Action {
+    match direction {
+        Direction::North => Action::North,
+        Direction::South => Action::South,
+        Direction::East => Action::East,
+        Direction::West => Action::West,
+    }
 }
 
 /// Puts a new object into the world.

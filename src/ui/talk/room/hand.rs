@@ -10,6 +10,9 @@ use crate::ui::page::place::{Place, inside, item_at};
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::{ask, link};
 use crate::ui::talk::state::State;
+use crate::ui::talk::teach::learn::look;
+use crate::ui::talk::teach::trail::Trail;
+use crate::ui::talk::watch::playback::Playback;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::Program;
 
@@ -27,6 +30,7 @@ pub(crate) fn set_mode(state: &mut State, shared: &mut Shared, mode: Mode) {
     state.room.hover = None;
     if mode == Mode::Teach {
         shared.document.draft();
+        look(state, shared);
         shared.wake(Program::Learner);
     }
     shared.say(Text::of(shared.language).mode_help(mode));
@@ -44,7 +48,11 @@ pub(crate) fn point(state: &mut State, shared: &mut Shared, point: Point) {
     state.room.hover = (kind != PointKind::Leave).then_some(cell);
     match kind {
         PointKind::Move => match &mut state.room.held {
-            Some(Held::Item(_, at)) => *at = [x, y],
+            Some(Held::Item(_, at)) => {
+                *at = [x, y];
+                let trail = state.room.trail.take();
+                state.room.trail = trail.and_then(|trail| trail.to(cell));
+            }
             Some(Held::Corner(_)) => {}
             None if state.room.mode == Mode::Watch => hover(state, shared),
             None => {}
@@ -52,6 +60,9 @@ pub(crate) fn point(state: &mut State, shared: &mut Shared, point: Point) {
         PointKind::Down => {
             state.room.cursor = None;
             state.room.held = grasp(state, shared, cell);
+            let is_driven = matches!(state.room.held, Some(Held::Item(Thing::Robot, _)));
+            let is_driven = is_driven && state.room.mode == Mode::Teach;
+            state.room.trail = is_driven.then(|| Trail::new(state.shown(shared)));
         }
         PointKind::Up => {
             let held = state.room.held.take();
@@ -73,7 +84,8 @@ pub(crate) fn press(state: &mut State, shared: &mut Shared, key: Key) {
             if state.room.mode == Mode::Teach && state.room.held.is_none() =>
         {
             let driven = edit::drive(state.shown(shared), direction);
-            change(state, shared, driven);
+            let step = edit::action(direction).letter().to_string();
+            change_by(state, shared, driven, Some(&step));
         }
         Key::Arrow(direction, _) => {
             let agent = &state.shown(shared).agent;
@@ -141,6 +153,10 @@ fn centre((x, y): Place) -> [f32; 2] {
 
 /// Puts down what is held, or uses the tool.
 fn release(state: &mut State, shared: &mut Shared, held: Option<Held>, cell: Place) {
+    let trail = state.room.trail.take();
+    if let Some(Trail { world, steps }) = trail.filter(|trail| trail.leads_to(cell)) {
+        return change_by(state, shared, Ok(world), Some(&steps));
+    }
     let shown = state.shown(shared);
     let changed = match (held, state.room.mode, state.room.tool) {
         (Some(Held::Item(item, _)), ..) => {
@@ -171,14 +187,37 @@ fn release(state: &mut State, shared: &mut Shared, held: Option<Held>, cell: Pla
 
 /// Something was put down in the room that is watched.
 fn put_down(state: &mut State, shared: &mut Shared, world: World, at: Place) {
+    let run = under_way(state, shared);
     state.settle(shared);
     state.watch.forget();
-    state.room.moved = Some(Moved { world, at });
+    state.room.moved = Some(Moved { world, at, run });
     shared.want(Effect::Focus(QUESTION));
+}
+
+/// The states of a task over time that is at work; none where there is no such task, or it is done.
+fn under_way(state: &State, shared: &Shared) -> Vec<World> {
+    let playback = state.watch.playback.as_ref().filter(|plan| !plan.ended());
+    let said = shared.document.said.as_ref();
+    let run = playback.map(Playback::so_far).unwrap_or_default();
+    let is_whole = said.is_some_and(|said| {
+        let is_timed = said.plan.as_ref().is_some_and(|plan| !plan.done.is_empty());
+        is_timed && run.first() == Some(&*said.world)
+    });
+    if is_whole { run.to_vec() } else { Vec::new() }
 }
 
 /// Takes a change over, or says why it could not be made. The command in the box is read again in another world.
 pub(crate) fn change(state: &mut State, shared: &mut Shared, changed: Result<World, Obstacle>) {
+    change_by(state, shared, changed, None);
+}
+
+/// The same; `steps` are those that the robot was driven by.
+fn change_by(
+    state: &mut State,
+    shared: &mut Shared,
+    changed: Result<World, Obstacle>,
+    steps: Option<&str>,
+) {
     let text = Text::of(shared.language);
     match changed {
         Ok(world) => {
@@ -186,7 +225,8 @@ pub(crate) fn change(state: &mut State, shared: &mut Shared, changed: Result<Wor
             let words = text.phrases.change(state.shown(shared), &world);
             shared.record();
             if state.room.mode == Mode::Teach {
-                shared.document.draft().after = world;
+                shared.document.draft().show(world, steps);
+                look(state, shared);
             } else {
                 shared.document.preset = None;
                 shared.document.change(world);

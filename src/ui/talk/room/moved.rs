@@ -4,6 +4,7 @@ use super::hand;
 use super::state::{Mode, Moved};
 use crate::ui::page::effect::Effect;
 use crate::ui::page::shared::Shared;
+use crate::ui::talk::command::ask;
 use crate::ui::talk::state::State;
 
 /// What it is to mean.
@@ -19,13 +20,19 @@ pub enum Meant {
 
 /// The person says what it means.
 pub(crate) fn mean(state: &mut State, shared: &mut Shared, meant: Meant) {
-    let Some(Moved { world, .. }) = state.room.moved.take() else { return };
+    let Some(Moved { world, mut run, .. }) = state.room.moved.take() else { return };
     match meant {
         Meant::Lesson => {
             shared.document.draft = None;
             hand::set_mode(state, shared, Mode::Teach);
-            shared.document.draft().after = world;
+            shared.document.draft().show(world, None);
             shared.want(Effect::Focus("lesson"));
+        }
+        // What is at work goes on from there, or says why it cannot.
+        Meant::World if !run.is_empty() => {
+            run.push(world);
+            shared.record();
+            ask::plan_on(state, shared, run);
         }
         Meant::World => hand::change(state, shared, Ok(world)),
         Meant::Nothing => {}

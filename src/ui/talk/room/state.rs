@@ -4,6 +4,7 @@ use super::edit::{Look, Obstacle};
 use crate::domain::{Blueprint, Color, Shape, State as World};
 use crate::render::Thing;
 use crate::ui::page::place::Place;
+use crate::ui::talk::teach::trail::Trail;
 
 /// What the room is for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -62,6 +63,8 @@ pub struct Moved {
     pub world: World,
     /// Where it was put down.
     pub at: Place,
+    /// The states of the task over time that was at work, from where it was said.
+    pub run: Vec<World>,
 }
 
 /// The room's side of the page.
@@ -81,6 +84,8 @@ pub struct Room {
     pub hover: Option<Place>,
     /// What is held.
     pub held: Option<Held>,
+    /// The way that the robot is taken along by a pointer, while it could be driven that way.
+    pub trail: Option<Trail>,
     /// What was taken elsewhere while the room was watched.
     pub moved: Option<Moved>,
     /// Why the last change could not be made.
@@ -106,6 +111,7 @@ impl Room {
             cursor: None,
             hover: None,
             held: None,
+            trail: None,
             moved: None,
             obstacle: None,
             blueprint: Blueprint { objects: 3, ..Blueprint::default() },
@@ -117,7 +123,7 @@ impl Room {
 
     /// A hand lets go, and what was in its way is forgotten.
     pub(crate) fn let_go(&mut self) {
-        (self.held, self.moved, self.obstacle) = (None, None, None);
+        (self.held, self.trail, self.moved, self.obstacle) = (None, None, None, None);
     }
 }
 

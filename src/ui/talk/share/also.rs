@@ -2,14 +2,15 @@
 //! without names, as messages do, which needs half the code that JSON would. What another form of it holds is left: the
 //! session comes back without.
 
-use crate::domain::State as World;
+use crate::domain::way::MOST_ACTIONS;
+use crate::domain::{State as World, read_letters};
+use crate::ui::page::document::Draft;
 use crate::ui::talk::command::state::MOST_CHARACTERS;
 use crate::ui::talk::past::state::{Line, MOST_LINES};
-use crate::worker::protocol::PairText;
 use serde::{Deserialize, Serialize};
 
 /// The form's number: it is counted up whenever a field changes.
-const FORM: u32 = 1;
+const FORM: u32 = 2;
 
 /// What comes back after a reload, and nobody else is sent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,7 +20,7 @@ pub struct Also {
     /// The world as it was opened.
     pub origin: World,
     /// The demonstration in preparation.
-    pub draft: Option<PairText>,
+    pub draft: Option<Draft>,
     /// The words of the lesson in preparation.
     pub lesson: String,
     /// What stood in the command box.
@@ -52,13 +53,15 @@ impl Also {
     }
 
     fn is_legal(&self) -> bool {
-        let draft = self.draft.iter().flat_map(|pair| [&pair.pre, &pair.post]);
+        let draft = self.draft.iter().flat_map(|draft| [&draft.before, &draft.after]);
+        let mut ways = self.draft.iter().flat_map(|draft| draft.way.iter().chain(&draft.contrasts));
         let mut worlds = self.lines.iter().map(|line| &line.world).chain(draft);
         let texts = self.lines.iter().map(|line| &line.command);
         let mut texts = texts.chain([&self.lesson, &self.input]);
         self.origin.check().is_ok()
             && self.lines.len() <= MOST_LINES
             && worlds.all(|world| world.check().is_ok())
+            && ways.all(|way| way.len() <= MOST_ACTIONS && read_letters(way).is_ok())
             && texts.all(|text| text.chars().count() <= MOST_CHARACTERS)
     }
 }

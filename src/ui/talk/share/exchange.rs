@@ -5,7 +5,7 @@ use super::also::Also;
 use super::session::Session;
 use super::state::{Link, Resume, Sharing};
 use crate::ui::page::coming::Resource;
-use crate::ui::page::document::{Draft, Origin};
+use crate::ui::page::document::Origin;
 use crate::ui::page::effect::Effect;
 use crate::ui::page::keep::state::short;
 use crate::ui::page::language::Language;
@@ -15,7 +15,7 @@ use crate::ui::talk::command::ask;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn;
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::{PairText, Request};
+use crate::worker::protocol::Request;
 use std::rc::Rc;
 
 /// Has a link made.
@@ -98,7 +98,7 @@ fn restore(state: &mut State, shared: &mut Shared, also: Also) -> Option<String>
     let document = &mut shared.document;
     document.preset = preset;
     document.origin = Rc::new(origin);
-    document.draft = draft.map(|PairText { pre, post }| Draft { before: pre, after: post });
+    document.draft = draft;
     state.teach.words = lesson;
     state.past.lines = lines;
     state.command.input.clone_from(&input);

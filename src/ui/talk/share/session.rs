@@ -1,12 +1,13 @@
 //! The whole state of the talk as one text, for a link or a file. What comes back is checked like any outside text: a
 //! link never bypasses a limit, and an unreadable one changes nothing.
 
-use crate::domain::State as World;
+use crate::domain::way::{MOST_ACTIONS, MOST_CONTRASTS};
+use crate::domain::{State as World, read_letters};
 use crate::ui::page::document::{Document, Origin, Said};
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::talk::command::state::MOST_CHARACTERS;
-use crate::worker::protocol::{Lesson, MOST_TAUGHT, Meaning, WorldRules};
+use crate::worker::protocol::{Lesson, MOST_TAUGHT, Meaning, RunText, WorldRules};
 use serde::{Deserialize, Serialize};
 
 /// The format's version.
@@ -141,11 +142,12 @@ impl Session {
             return Err(SessionError::Lessons(self.lessons.len()));
         }
         let is_long = |text: &String| text.chars().count() > MOST_CHARACTERS;
-        for (number, Lesson { command, pairs, means }) in (1..).zip(&self.lessons) {
-            let legal = pairs.iter().all(|p| p.pre.check().is_ok() && p.post.check().is_ok());
+        for (number, Lesson { command, pairs, runs, means }) in (1..).zip(&self.lessons) {
+            let legal = pairs.iter().all(|p| p.pre.check().is_ok() && p.post.check().is_ok())
+                && runs.iter().all(is_run);
             let fewest = usize::from(means.is_none());
             let is_long = is_long(command) || means.as_ref().is_some_and(is_long_meaning);
-            if !(fewest..=MOST_PAIRS).contains(&pairs.len()) || !legal || is_long {
+            if !(fewest..=MOST_PAIRS).contains(&(pairs.len() + runs.len())) || !legal || is_long {
                 return Err(SessionError::Lesson(number));
             }
         }
@@ -154,6 +156,14 @@ impl Session {
         }
         Ok(())
     }
+}
+
+/// Whether a run can have been driven.
+fn is_run(RunText { start, actions, contrast }: &RunText) -> bool {
+    let is_way = |way: &String| way.len() <= MOST_ACTIONS && read_letters(way).is_ok();
+    start.check().is_ok()
+        && contrast.len() <= MOST_CONTRASTS
+        && std::iter::once(actions).chain(contrast).all(is_way)
 }
 
 /// Whether a meaning is longer than any that a command has.

@@ -2,6 +2,8 @@
 //! their order: the same lessons give the same model, whichever way one came to them.
 
 use super::state::{Missing, Offer, Teach};
+use super::trail::driving;
+use crate::domain::{letters, read_letters, straight};
 use crate::ui::page::document::{Draft, Model, Said, Taught};
 use crate::ui::page::effect::Effect;
 use crate::ui::page::model;
@@ -10,7 +12,9 @@ use crate::ui::talk::command::state::MOST_CHARACTERS;
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::{Fit, Lesson, Meaning, PairText, Request, TeachReport};
+use crate::worker::protocol::{
+    Fit, Lesson, Meaning, PairText, Refusal, Request, RunText, TeachReport,
+};
 use serde::Serialize;
 use std::rc::Rc;
 
@@ -26,13 +30,28 @@ pub(crate) fn typed(state: &mut State, words: &str) {
 }
 
 /// Begins the demonstration anew.
-pub(crate) fn clear_draft(state: &State, shared: &mut Shared) {
-    if shared.document.draft.as_ref().is_some_and(Draft::shows) {
+pub(crate) fn clear_draft(state: &mut State, shared: &mut Shared) {
+    if shared.document.draft.as_ref().is_some_and(is_begun) {
         shared.record();
         shared.document.draft = None;
         let phrases = Text::of(shared.language).phrases;
         shared.say(phrases.robot(state.shown(shared)));
+        look(state, shared);
     }
+}
+
+/// Whether there is something to begin anew.
+pub fn is_begun(draft: &Draft) -> bool {
+    draft.shows() || !draft.contrasts.is_empty()
+}
+
+/// Looks what the page would have done in place of the way that is driven.
+pub(crate) fn look(state: &mut State, shared: &Shared) {
+    state.teach.straight = shared.document.draft.as_ref().and_then(|draft| {
+        let driven = read_letters(draft.way.as_ref()?).ok()?;
+        let other = letters(&straight(&draft.before, &driven)?);
+        (!draft.contrasts.contains(&other)).then_some(other)
+    });
 }
 
 /// Teaches what is shown and said, or says what is missing.
@@ -40,6 +59,7 @@ pub(crate) fn teach(state: &mut State, shared: &mut Shared) {
     let draft = shared.document.draft.as_ref().filter(|draft| draft.shows());
     state.teach.missing = match draft {
         None => Some(Missing::Demonstration),
+        Some(draft) if draft.way.is_none() && !draft.contrasts.is_empty() => Some(Missing::Way),
         Some(_) if state.teach.words.trim().is_empty() => Some(Missing::Words),
         Some(_) => None,
     };
@@ -59,6 +79,14 @@ pub(crate) fn mean(state: &mut State, shared: &mut Shared, place: usize) {
     learn_besides(state, shared, lesson);
 }
 
+/// Says why a lesson in other words is none.
+pub(crate) fn refuse(state: &mut State, shared: &mut Shared, command: &str, refusal: &Refusal) {
+    let words = (Text::of(shared.language).refused)(command, refusal);
+    shared.say(words.clone());
+    state.teach.drop_last();
+    state.teach.notice = Some(words);
+}
+
 /// Teaches a lesson besides those there are; a meaning that was given takes the place of one given before.
 pub(crate) fn learn_besides(state: &mut State, shared: &mut Shared, lesson: Lesson) {
     let mut all = shared.document.taught();
@@ -76,7 +104,10 @@ pub fn answered(shared: &Shared) -> Option<Lesson> {
     let said = shared.document.said.as_ref().filter(was_chosen)?;
     let form = said.answer.readings.get(said.chosen)?.form.clone();
     let plan = said.plan.as_ref().filter(|plan| plan.reached && !plan.actions.is_empty())?;
-    let draft = Draft { before: (*said.world).clone(), after: plan.states.last()?.clone() };
+    let mut draft = Draft::new((*said.world).clone());
+    // What a task over time means no pair shows.
+    let way = if plan.done.is_empty() { None } else { Some(driving(&plan.states)?) };
+    draft.show(plan.states.last()?.clone(), way.as_deref());
     let lesson = draft.lesson(said.answer.command.trim().to_owned());
     let lesson = Lesson { means: Some(Meaning::Form(form)), ..lesson };
     let mut lessons = shared.document.lessons.iter();
@@ -111,7 +142,7 @@ pub(crate) fn learn_again(state: &mut State, shared: &mut Shared) {
 /// Teaches the model before any lesson exactly these.
 pub(crate) fn learn(state: &mut State, shared: &mut Shared, lessons: Vec<Lesson>) {
     let Some(base) = &shared.document.base else { return };
-    (state.teach.notice, state.teach.report, state.teach.offer) = (None, None, None);
+    state.teach.drop_last();
     if lessons.is_empty() {
         let base = base.clone();
         shared.record();
@@ -178,7 +209,10 @@ pub(crate) fn refused(state: &mut State, message: String) {
 struct Row<'a> {
     id: String,
     command: &'a str,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
     pairs: &'a [PairText],
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    runs: &'a [RunText],
 }
 
 /// Saves the lessons as a corpus.
@@ -191,10 +225,11 @@ pub(crate) fn save(shared: &mut Shared) {
 /// Lessons, packed, as a corpus that the page and the command line open: those that were shown.
 pub fn corpus(packed: &[u8]) -> String {
     let lessons: Vec<Lesson> = postcard::from_bytes(packed).unwrap_or_default();
-    let row = |(place, Lesson { command, pairs, .. }): (usize, &Lesson)| {
-        let row = Row { id: format!("taught-{}", place + 1), command, pairs };
+    let row = |(place, Lesson { command, pairs, runs, .. }): (usize, &Lesson)| {
+        let row = Row { id: format!("taught-{}", place + 1), command, pairs, runs };
         // Strings and numbers only: JSON can hold them all.
         serde_json::to_string(&row).map(|row| row + "\n").unwrap_or_default()
     };
-    lessons.iter().filter(|lesson| !lesson.pairs.is_empty()).enumerate().map(row).collect()
+    let is_shown = |lesson: &&Lesson| !lesson.pairs.is_empty() || !lesson.runs.is_empty();
+    lessons.iter().filter(is_shown).enumerate().map(row).collect()
 }

@@ -13,5 +13,5 @@ pub fn in_other_words(command: &str) -> Option<Lesson> {
     let quotes = ['“', '”', '„', '"', '\'', ' '];
     let (command, words) = (phrase.trim_matches(quotes).to_owned(), words.trim().to_owned());
     let means = Some(Meaning::Words(words));
-    (!command.is_empty()).then(|| Lesson { command, pairs: Vec::new(), means })
+    (!command.is_empty()).then(|| Lesson { command, pairs: Vec::new(), runs: Vec::new(), means })
 }

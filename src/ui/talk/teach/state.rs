@@ -18,6 +18,15 @@ pub struct Teach {
     pub offer: Option<Offer>,
     /// What the lesson lacks, once it was to be taught without.
     pub missing: Option<Missing>,
+    /// The way that the page would have taken in place of the one that is driven, where it leads through other rooms.
+    pub straight: Option<String>,
+}
+
+impl Teach {
+    /// What came of the last lesson is no longer told.
+    pub(crate) fn drop_last(&mut self) {
+        (self.notice, self.report, self.offer) = (None, None, None);
+    }
 }
 
 /// A lesson whose command can be read as what was shown, though not at first.
@@ -36,4 +45,6 @@ pub enum Missing {
     Demonstration,
     /// Nothing is said.
     Words,
+    /// There are ways that are not meant, and none that is.
+    Way,
 }

@@ -12,6 +12,7 @@ use crate::ui::talk::command::link::{Link, holds};
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn::{answered, is_teaching};
+use crate::ui::talk::teach::unlike::{Unlike, is_planned};
 use crate::ui::talk::why::help::Help;
 use crate::ui::talk::why::message::Message;
 use crate::ui::talk::why::messages::messages;
@@ -69,6 +70,10 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             if !live && answered(shared).is_some() {
                 <button type="button" class="quiet remember" data-testid="remember" disabled={is_teaching(shared)}
                     onclick={sends(act, Action::Remember)}>{ text.remember }</button>
+            }
+            if is_planned(state, shared) {
+                <button type="button" class="quiet remember" data-testid="unlike-plan"
+                    onclick={sends(act, Action::Unlike(Unlike::Planned))}>{ text.unlike }</button>
             }
             if state.room.mode == Mode::Watch { { not_taught(state, shared, act) } }
         </div>

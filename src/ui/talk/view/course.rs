@@ -1,6 +1,8 @@
 //! A task over time as a strip of its steps, what it forbids behind them; and in the room's picture the cells that are
 //! forbidden and the way so far.
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::picture::line;
+use crate::ui::page::way::states;
 use crate::ui::talk::state::State;
 use crate::ui::talk::watch::course::{Stand, forbidden, strip, way};
 use crate::ui::talk::words::Text;
@@ -25,8 +27,6 @@ pub(super) fn course(state: &State, shared: &Shared) -> Html {
 
 /// What of a task over time is seen in the picture, in its own units.
 pub(super) fn drawn(state: &State, shared: &Shared) -> Html {
-    let way: Vec<String> =
-        way(state, shared).into_iter().map(|(x, y)| format!("{x},{}", -y)).collect();
     html! {
         <>
             if !forbidden(state, shared).is_empty() {
@@ -37,7 +37,20 @@ pub(super) fn drawn(state: &State, shared: &Shared) -> Html {
             { for forbidden(state, shared).iter().map(|(x, y)| html! {
                 <rect class="forbidden" x={(f64::from(*x) - 0.5).to_string()} y={(f64::from(-y) - 0.5).to_string()} width="1" height="1" />
             }) }
-            if way.len() > 1 { <polyline class="way" points={way.join(" ")} /> }
+            { line("way", way(state, shared)) }
+        </>
+    }
+}
+
+/// The ways of a demonstration: the one that is driven, the ones that are not meant, and the one that the page would have
+/// taken.
+pub(super) fn shown_ways(state: &State, shared: &Shared) -> Html {
+    let Some(draft) = &shared.document.draft else { return Html::default() };
+    let unlike = draft.contrasts.iter().chain(&state.teach.straight);
+    html! {
+        <>
+            { for unlike.map(|way| line("way unlike", &states(&draft.before, way))) }
+            { for draft.way.iter().map(|way| line("way", &states(&draft.before, way))) }
         </>
     }
 }

@@ -1,6 +1,6 @@
 //! What lies over the room's picture: the names of the rooms, what a finger can take hold of, and the question what
 //! something means that was taken elsewhere.
-use super::course::drawn;
+use super::course::{drawn, shown_ways};
 use crate::render::Extent;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::sends::sends;
@@ -24,6 +24,7 @@ pub(super) fn labels(state: &State, shared: &Shared) -> Html {
     html! {
         <>
             if is_watched { { drawn(state, shared) } }
+            if state.room.mode == Mode::Teach { { shown_ways(state, shared) } }
             { for names(shown, Text::of(shared.language).phrases).into_iter().map(|name| html! {
                 <text class="room-name" x={name.x.to_string()} y={(-name.y).to_string()} font-size=".28">{ name.text }</text>
             }) }

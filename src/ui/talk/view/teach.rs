@@ -4,19 +4,23 @@ use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
 use crate::ui::page::view::notice::notice;
 use crate::ui::page::view::sends::sends;
+use crate::ui::page::way::rooms;
 use crate::ui::talk::action::Action;
 use crate::ui::talk::state::State;
-use crate::ui::talk::teach::learn::is_teaching;
+use crate::ui::talk::teach::learn::{is_begun, is_teaching};
+use crate::ui::talk::teach::unlike::{Unlike, driven};
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::Lesson;
+use crate::worker::protocol::{Fit, Lesson, Meaning};
 use web_sys::{HtmlInputElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The lesson in preparation.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let teach = &state.teach;
-    let shows = shared.document.draft.as_ref().is_some_and(Draft::shows);
+    let draft = shared.document.draft.as_ref();
+    let shows = draft.is_some_and(Draft::shows);
     let busy = is_teaching(shared);
     let send = act.reform(|event: SubmitEvent| {
         event.prevent_default();
@@ -31,8 +35,9 @@ pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             <ol class="steps">
                 <li class={shows.then_some("done")}>
                     { text.show_it }
-                    {" "}<button type="button" class="link" disabled={!shows} data-testid="clear-draft"
+                    {" "}<button type="button" class="link" disabled={!draft.is_some_and(is_begun)} data-testid="clear-draft"
                         onclick={sends(act, Action::ClearDraft)}>{ text.show_again }</button>
+                    { for draft.map(|draft| way(state, draft, text, act)) }
                 </li>
                 <li>
                     <label for="lesson">{ text.say_it }</label>
@@ -53,13 +58,46 @@ pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> 
     }
 }
 
-/// What came of the last lesson when it was not learned, with the readings to choose from that fit what was shown.
-pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
-    let text = Text::of(shared.language);
-    let fits = state.teach.offer.as_ref().map_or(&[][..], |offer| &offer.fits);
+/// What is said of the way that is driven, and the ways that are not meant.
+fn way(state: &State, draft: &Draft, text: &'static Text, act: &Callback<Action>) -> Html {
+    let unlike = |which, id: &'static str| {
+        html! {
+            <button type="button" class="quiet" data-testid={id} onclick={sends(act, Action::Unlike(which))}>{ text.unlike }</button>
+        }
+    };
+    let rooms = |way: &String| rooms(&draft.before, way, text.phrases);
     html! {
         <>
-            { notice(state.teach.notice.as_deref(), "teach-notice") }
+            if driven(draft).is_some() {
+                <p class="dim">{ text.way_counts }{" "}{ unlike(Unlike::Driven, "unlike") }</p>
+            }
+            if let Some(straight) = &state.teach.straight {
+                <p data-testid="straight">{ (text.straight)(&rooms(straight)) }{" "}{ unlike(Unlike::Straight, "unlike-straight") }</p>
+            }
+            { for draft.contrasts.iter().map(|way| html! {
+                <p class="dim" data-testid="contrast">{ (text.unlike_this)(&rooms(way)) }</p>
+            }) }
+        </>
+    }
+}
+
+/// What came of the last lesson when it was not learned, with the readings to choose from that fit what was shown.
+pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    let fits = state.teach.offer.as_ref().map_or(&[][..], |offer| &offer.fits);
+    let notice = state.teach.notice.as_deref();
+    if fits.is_empty() && notice.is_none() {
+        Html::default()
+    } else {
+        refused(notice, fits, shared, act)
+    }
+}
+
+#[inline(never)] // It comes late: www/split.mjs.
+fn refused(told: Option<&str>, fits: &[Fit], shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
+    html! {
+        <>
+            { notice(told, "teach-notice") }
             if !fits.is_empty() {
                 <p class="buttons">
                     { for fits.iter().enumerate().map(|(place, fit)| html! {
@@ -74,11 +112,13 @@ pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>)
 
 /// What was taught, and what the last lesson added to the lexicon.
 pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    if shared.document.lessons.is_empty() { Html::default() } else { taught(state, shared, act) }
+}
+
+#[inline(never)] // It comes late: www/split.mjs.
+fn taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let (lessons, teach) = (&shared.document.lessons, &state.teach);
-    if lessons.is_empty() {
-        return Html::default();
-    }
     let added = teach.report.as_ref().map_or(&[][..], |report| &report.added);
     html! {
         <section class="card" aria-labelledby="lessons-title" data-testid="lessons">
@@ -96,6 +136,9 @@ pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) ->
                                 onclick={sends(act, Action::AskExample(command.clone()))}>
                                 { &taught.lesson.command }
                             </button>
+                            if let Some(Meaning::Words(words)) = &taught.lesson.means {
+                                <span class="dim" lang="en" data-testid="lesson-means">{ words }</span>
+                            }
                             if !taught.understood { <span class="dim">{ text.not_understood }</span> }
                             <button type="button" class="link" data-testid="unteach"
                                 aria-label={(text.forget_lesson)(&taught.lesson.command)}
@@ -108,6 +151,9 @@ pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) ->
                 <p class="dim" data-testid="learned">
                     { if means.is_some() { (text.now_means)(command) } else { (text.it_learned)(command, added.len()) } }
                 </p>
+                if teach.report.as_ref().is_some_and(|report| report.by_end) {
+                    <p class="dim" data-testid="by-end">{ text.by_end }</p>
+                }
                 <ul class="told">
                     { for teach.report.iter().flat_map(|report| &report.told).map(|told| html! {
                         <li data-testid="told">{ text.told(told) }</li>

@@ -17,20 +17,25 @@ pub(crate) const fn is_for(request: &Request) -> bool {
 
 /// Looks for a shorter way on, if the plan that is played may be longer than the shortest and nothing else is to be done.
 pub(crate) fn look(state: &State, shared: &mut Shared) {
-    // Of a task over time this would be another plan's steps that are told.
-    let plan = shared.document.plan().filter(|plan| plan.done.is_empty());
-    let is_open = plan.and_then(|plan| plan.over()).is_some_and(|over| over > 0);
+    let (Some(plan), Some(reading)) = (shared.document.plan(), shared.document.reading()) else {
+        return;
+    };
+    let is_open = plan.over().is_some_and(|over| over > 0);
     let playback = state.watch.playback.as_ref().filter(|playback| playback.playing());
     let ahead = (MS / state.watch.speed.step_ms()) as usize;
-    let from = playback.and_then(|playback| playback.state(playback.at() + ahead));
+    let run = playback.and_then(|playback| playback.until(playback.at() + ahead));
+    // A plan that was made on the way does not begin where the words were said.
+    let run =
+        run.filter(|run| shared.document.said.as_ref().map(|said| &*said.world) == run.first());
     let is_asked = is_open && state.watch.has_policy && !state.watch.is_best;
-    if let Some(from) = from.filter(|_| is_asked && !shared.talker.is_at(|_| true)) {
-        shared.send(Request::GoOn { run: vec![from.clone()] }, false);
+    if let Some(run) = run.filter(|_| is_asked && !shared.talker.is_at(|_| true)) {
+        let (form, rules) = (reading.form.clone(), shared.document.rules);
+        shared.send(Request::GoOn { form, run: run.to_vec(), rules }, false);
     }
 }
 
-/// A way on has come: it is taken if it is shorter and the robot is not beyond where it begins.
-pub(crate) fn came(state: &mut State, shared: &mut Shared, way: &PlanText) {
+/// A way on from after so many actions has come: it is taken if it is shorter and the robot is not beyond where it begins.
+pub(crate) fn came(state: &mut State, shared: &mut Shared, from: usize, way: &PlanText) {
     let (Some(playback), Some(said)) = (&mut state.watch.playback, &mut shared.document.said)
     else {
         return;
@@ -40,14 +45,16 @@ pub(crate) fn came(state: &mut State, shared: &mut Shared, way: &PlanText) {
         return;
     };
     state.watch.is_best = way.reason.is_none();
-    let mut left = playback.at()..=playback.steps();
-    let Some(from) = left.find(|&at| playback.state(at) == Some(first)) else { return };
-    if !way.reached || from + way.actions.len() >= playback.steps() {
+    let is_there = from >= playback.at() && playback.state(from) == Some(first);
+    if !is_there || !way.reached || from + way.actions.len() >= playback.steps() {
         return;
     }
     let mut plan = (**plan).clone();
     plan.actions.splice(from.., way.actions.iter().cloned());
     plan.states.splice(from.., way.states.iter().cloned());
+    if !plan.done.is_empty() {
+        plan.done.splice(from.., way.done.iter().copied());
+    }
     playback.go_on_by(&plan);
     shared.document.world = last.clone();
     said.plan = Some(Rc::new(plan));

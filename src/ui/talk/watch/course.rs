@@ -1,6 +1,7 @@
 //! A task over time while it is done: its steps, and how far they are; what it forbids, and the way so far.
 
 use super::playback::Playback;
+use crate::domain::State as World;
 use crate::ui::page::grammar::Phrases;
 use crate::ui::page::place::Place;
 use crate::ui::page::shared::Shared;
@@ -62,13 +63,11 @@ pub fn forbidden<'a>(state: &State, shared: &'a Shared) -> &'a [Place] {
     reading.map_or(&[], |reading| &reading.forbidden)
 }
 
-/// Where the robot has been so far, in a task over time.
-pub fn way(state: &State, shared: &Shared) -> Vec<Place> {
+/// What was so far, in a task over time.
+pub fn way<'a>(state: &'a State, shared: &Shared) -> &'a [World] {
     let is_timed = shared.document.plan().is_some_and(|plan| !plan.done.is_empty());
     let playback = state.watch.playback.as_ref().filter(|_| is_timed);
-    playback.map_or_else(Vec::new, |plan| {
-        plan.so_far().iter().map(|state| (state.agent.x, state.agent.y)).collect()
-    })
+    playback.map_or(&[], Playback::so_far)
 }
 
 fn collect(claim: &Claim, phrases: &dyn Phrases, strip: &mut Strip) {

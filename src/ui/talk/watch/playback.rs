@@ -63,6 +63,11 @@ impl Playback {
         self.states.get(..=self.at).unwrap_or_default()
     }
 
+    /// The states up to the one after so many actions; `None` when there are fewer.
+    pub fn until(&self, at: usize) -> Option<&[State]> {
+        self.states.get(..=at)
+    }
+
     /// How many actions have been taken.
     pub fn at(&self) -> usize {
         self.at

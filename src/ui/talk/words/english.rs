@@ -357,7 +357,15 @@ pub(super) static ENGLISH: Text = Text {
     missing: [
         "Nothing is shown yet: move the robot or a thing first.",
         "Nothing is said yet: type the command.",
+        "Show what is meant, too: drive the robot all the way.",
     ],
+    way_counts: "The way counts, too: stop as soon as it is done.",
+    straight: |rooms| {
+        format!("Only to get there I would have gone another way: {rooms}. Would that be wrong?")
+    },
+    unlike: "Not like this",
+    unlike_this: |rooms| format!("Not like this: {rooms}"),
+    by_end: "No meaning of these words fits the way that you showed: I learned from where it ends.",
     lessons: "What you taught",
     save_lessons: "Save as a corpus",
     not_understood: " (not understood any more)",

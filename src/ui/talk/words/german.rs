@@ -396,7 +396,15 @@ pub(super) static GERMAN: Text = Text {
     missing: [
         "Noch ist nichts gezeigt: erst den Roboter oder ein Ding bewegen.",
         "Noch ist nichts gesagt: den Befehl eintippen.",
+        "Zeig auch, was gemeint ist: den Roboter den ganzen Weg fahren.",
     ],
+    way_counts: "Auch der Weg zählt: anhalten, sobald es getan ist.",
+    straight: |rooms| {
+        format!("Nur um dahin zu kommen, wäre ich anders gefahren: {rooms}. Wäre das falsch?")
+    },
+    unlike: "Nicht so",
+    unlike_this: |rooms| format!("Nicht so: {rooms}"),
+    by_end: "Keine Bedeutung dieser Wörter passt zum gezeigten Weg: Gelernt ist daraus, wo er endet.",
     lessons: "Was du gelehrt hast",
     save_lessons: "Als Korpus sichern",
     not_understood: " (nicht mehr verstanden)",

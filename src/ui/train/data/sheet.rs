@@ -4,7 +4,7 @@
 use super::demo;
 use super::table::Table;
 use crate::worker::protocol::{
-    Care, Facets, Fault, MappedFile, PairText, Request, RowReading, SheetReport,
+    Care, Facets, Fault, MappedFile, Request, RowReading, SheetReport, Shown,
 };
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
@@ -32,7 +32,7 @@ pub struct Sheet {
     /// The row that is open.
     pub open: Option<Open>,
     /// The first demonstrations of a small corpus, by row.
-    pub pairs: FxHashMap<u32, Rc<Vec<PairText>>>,
+    pub pairs: FxHashMap<u32, Rc<Vec<Shown>>>,
     /// What was done to it, in order: an engine that begins anew is asked all of it again.
     pub log: Rc<Vec<Request>>,
     /// Whether a model was asked about all rows.
@@ -45,7 +45,7 @@ pub struct Open {
     /// The row.
     pub row: u32,
     /// Its demonstrations, once they are known.
-    pub pairs: Option<Rc<Vec<PairText>>>,
+    pub pairs: Option<Rc<Vec<Shown>>>,
     /// What the model makes of it, once that is known.
     pub reading: Option<Rc<RowReading>>,
 }

@@ -170,7 +170,7 @@ fn row(props: &Props, place: u32, act: &Callback<Look>) -> Html {
         is_open.then_some("open"),
         is_rejected.then_some("rejected")
     );
-    let first = sheet.pairs.get(&row).and_then(|pairs| pairs.first());
+    let first = sheet.pairs.get(&row).and_then(|shown| Some(&shown.first()?.pair));
     let picture = |world: &crate::domain::State| {
         let options = Options { theme: *theme, ..Options::default() };
         html! { <Picture world={world.clone()} {options} label="" /> }

@@ -2,12 +2,13 @@
 
 use super::grid::arrow;
 use crate::render::{Options, Theme};
-use crate::ui::page::view::picture::Picture;
+use crate::ui::page::view::picture::{Picture, line};
 use crate::ui::page::view::sign::{Sign, sign};
+use crate::ui::page::way::{rooms, states};
 use crate::ui::train::data::action::{Action, Look};
 use crate::ui::train::data::sheet::{Open, Sheet};
 use crate::ui::train::data::words::Text;
-use crate::worker::protocol::{Decision, PairText, Reading, RowReading};
+use crate::worker::protocol::{Decision, Reading, RowReading, RunText, Shown};
 use yew::{Callback, Html, html};
 
 /// Readings that are shown.
@@ -33,7 +34,7 @@ pub(super) fn row(sheet: &Sheet, text: &Text, theme: Theme, act: &Callback<Actio
             }
             <div class="pairs" data-testid="pairs">
                 if let Some(pairs) = pairs {
-                    { for pairs.iter().zip(1..).map(|(pair, n)| show(text, pair, n, theme)) }
+                    { for pairs.iter().zip(1..).map(|(shown, n)| show(text, shown, n, theme)) }
                 } else {
                     <p class="dim">{ text.reading }</p>
                 }
@@ -47,16 +48,36 @@ pub(super) fn row(sheet: &Sheet, text: &Text, theme: Theme, act: &Callback<Actio
     }
 }
 
-fn show(text: &Text, pair: &PairText, number: usize, theme: Theme) -> Html {
+/// A demonstration: before and after, and of a run the way, with what was not meant.
+fn show(text: &Text, Shown { pair, run }: &Shown, number: usize, theme: Theme) -> Html {
     let before = format!("{} {}", (text.demonstration)(number), text.phrases.robot(&pair.pre));
     let after = format!("{} {}", text.after, text.phrases.robot(&pair.post));
     let options = || Options { theme, ..Options::default() };
+    let rooms = |way: &str| rooms(&pair.pre, way, text.phrases);
     html! {
-        <span class="pair">
-            <Picture world={pair.pre.clone()} options={options()} label={before} />
+        <span class="pair" data-testid={if run.is_some() { "run" } else { "pair" }}>
+            <Picture world={pair.pre.clone()} options={options()} label={before} over={run.as_ref().map(ways).unwrap_or_default()} />
             { arrow() }
             <Picture world={pair.post.clone()} options={options()} label={after} />
+            if let Some(run) = run {
+                <span class="ways dim">
+                    <span data-testid="run-way">{ (text.way)(&rooms(&run.actions), run.actions.len()) }</span>
+                    { for run.contrast.iter().map(|way| html! {
+                        <span data-testid="run-contrast">{ (text.unlike)(&rooms(way), way.len()) }</span>
+                    }) }
+                </span>
+            }
         </span>
+    }
+}
+
+/// The way of a run, and those that are not meant.
+fn ways(RunText { start, actions, contrast }: &RunText) -> Html {
+    html! {
+        <>
+            { for contrast.iter().map(|way| line("way unlike", &states(start, way))) }
+            { line("way", &states(start, actions)) }
+        </>
     }
 }
 

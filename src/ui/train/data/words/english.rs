@@ -121,6 +121,8 @@ pub(super) static ENGLISH: Text = Text {
     // A row.
     demonstration: |n| format!("Demonstration {n}, before:"),
     after: "After:",
+    way: |rooms, n| format!("The way, {n} actions: {rooms}"),
+    unlike: |rooms, n| format!("Not like this, {n} actions: {rooms}"),
     close: "Close the row",
     where_from: |id, line| if line > 0 { format!("{id}, line {line}") } else { id.to_owned() },
     readings: |n| if n == 1 { "1 reading".to_owned() } else { format!("{n} readings") },

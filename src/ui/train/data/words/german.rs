@@ -129,6 +129,8 @@ pub(super) static GERMAN: Text = Text {
     // A row.
     demonstration: |n| format!("Vorführung {n}, vorher:"),
     after: "Nachher:",
+    way: |rooms, n| format!("Der Weg, {n} Aktionen: {rooms}"),
+    unlike: |rooms, n| format!("Nicht so, {n} Aktionen: {rooms}"),
     close: "Zeile schließen",
     where_from: |id, line| if line > 0 { format!("{id}, Zeile {line}") } else { id.to_owned() },
     readings: |n| if n == 1 { "1 Lesart".to_owned() } else { format!("{n} Lesarten") },

@@ -74,6 +74,8 @@ pub struct Text {
     // A row.
     pub demonstration: fn(usize) -> String,
     pub after: &'static str,
+    pub way: fn(&str, usize) -> String,
+    pub unlike: fn(&str, usize) -> String,
     pub close: &'static str,
     pub where_from: fn(&str, u64) -> String,
     pub readings: fn(usize) -> String,
