@@ -42,6 +42,33 @@ addEventListener("load", () => {
   navigator.serviceWorker?.register(own ?? "sw.js", own && { scope: location.pathname }).catch(() => {});
 });
 
+// What the first view does without is a second program, which joins the first. It comes by itself once the first stands; if
+// something of it is wanted before, or it did not come, it is fetched there and then, while the first waits.
+function lateProgram(address) {
+  let joined = false;
+  const join = (module, first) => {
+    if (!joined) new WebAssembly.Instance(module, { first });
+    joined = true;
+  };
+  globalThis.late = (first) => {
+    const request = new XMLHttpRequest();
+    request.open("GET", address, false);
+    request.overrideMimeType("text/plain; charset=x-user-defined");
+    try {
+      request.send();
+      join(new WebAssembly.Module(Uint8Array.from(request.response, (sign) => sign.charCodeAt(0))), first);
+    } catch (error) {
+      // The program is in the middle of something, and cannot go on without it.
+      throw new WebAssembly.RuntimeError(`A part of the page could not be fetched. Is there a network? ${words(error)}`);
+    }
+  };
+  const bringTo = async (first) => {
+    const response = await fetch(address, { priority: "low" });
+    if (response.ok) join(await WebAssembly.compile(await response.arrayBuffer()), first);
+  };
+  return { bringTo: (first) => bringTo(first).catch(() => {}) };
+}
+
 async function start() {
   if (typeof WebAssembly !== "object") {
     throw new Error(
@@ -49,9 +76,11 @@ async function start() {
     );
   }
   const { href: script } = document.querySelector("link[data-app=script]");
-  const { href: program } = document.querySelector("link[data-app=program]");
+  const { href: program, dataset } = document.querySelector("link[data-app=program]");
   const app = await import(script);
-  await app.default({ module_or_path: program });
+  const late = dataset.late && lateProgram(new URL(dataset.late, location));
+  const first = await app.default({ module_or_path: program });
+  late?.bringTo(first);
 }
 
 start().catch((error) => crash(`The program could not be started. ${words(error)}`));

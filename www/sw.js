@@ -16,7 +16,7 @@ function nameOf(address) {
 
 // All of the site, as this page of it says.
 function filesOf(page) {
-  const named = [...page.matchAll(/\b(?:href|src)="?([^"\s>]+)/g)].map(([, name]) => nameOf(name));
+  const named = [...page.matchAll(/\b(?:href|src|data-late)="?([^"\s>]+)/g)].map(([, name]) => nameOf(name));
   return new Set([scope, ...LATER.map(nameOf), ...named].filter((name) => name.startsWith(scope)));
 }
 

@@ -10,6 +10,9 @@ use super::lexicon::{EntryId, Origin};
 use super::model::Model;
 use super::syntax::{Atom, SyntaxId, Syntaxes};
 
+/// What stands for a thing that was named before.
+const PRONOUNS: [&str; 2] = ["it", "them"];
+
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Leniency {
@@ -33,15 +36,21 @@ pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
 
 /// For every word whether it may go without meaning. Behind a word that turns round, a verb that begins another clause may
 /// not: silent, it would have that denied, too. A preposition next to the turning word says what is turned ("not to the red
-/// room but to the blue one").
+/// room but to the blue one"). Nor may a pronoun that is all a verb is done to ("take it to the red room").
 fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     let closed = closed(words);
     let clauses = clauses_behind(model, words, &closed);
     let is_turned = |at: usize| {
         at > 0 && closed[at - 1] == Some(Kind::Turns) && is(model, &words[at], is_preposition)
     };
-    let all = 0..words.len();
-    all.map(|at| closed[at].is_none() && !clauses.contains(&at) && !is_turned(at)).collect()
+    let first_noun = words.iter().position(|word| is(model, word, is_noun)).unwrap_or(words.len());
+    let is_thing = |at: usize| {
+        PRONOUNS.contains(&&*words[at])
+            && (1..first_noun).contains(&at)
+            && is(model, &words[at - 1], takes_thing)
+    };
+    let speaks = |at: usize| closed[at].is_some() || is_turned(at) || is_thing(at);
+    (0..words.len()).map(|at| !speaks(at) && !clauses.contains(&at)).collect()
 }
 
 /// Where other clauses begin behind a word that turns round or orders, whose own verb is itself or the next ("don't go to the
@@ -66,6 +75,10 @@ fn is(model: &Model, word: &str, kind: fn(&Syntaxes, SyntaxId) -> bool) -> bool 
         let syntax = model.lexicon.category(entry).syntax;
         model.lexicon.origin(entry) == Origin::Seed && kind(&model.grammar.syntaxes, syntax)
     })
+}
+
+fn is_noun(all: &Syntaxes, syntax: SyntaxId) -> bool {
+    all.is(syntax, Atom::N)
 }
 
 /// `S/PP`, `S/NP` and what takes more.

@@ -32,8 +32,10 @@ impl Hearing {
     /// Hears a command's words.
     pub fn new(model: &Model, words: &[String]) -> Self {
         // What was learned of a whole sentence is learned of it as it is spelt.
-        let is_idiom = model.lexicon.idiom(&boxed(words)).is_some();
-        let words = if is_idiom { words.to_vec() } else { heard(model, words) };
+        let words = match idiom(model, words) {
+            Some(_) => words.to_vec(),
+            None => heard(model, words),
+        };
         let (closed, empty) = (closed(&words), empty_entries(model, &words));
         Hearing { words, closed, empty }
     }
@@ -115,6 +117,24 @@ impl Hearing {
             }
         }
     }
+}
+
+/// The idiom that a sentence is, and the place of its words: none stand around them but such as mean nothing.
+pub(super) fn idiom(model: &Model, words: &[String]) -> Option<((usize, usize), EntryId)> {
+    let n = words.len();
+    let whole = boxed(words);
+    if let Some(entry) = model.lexicon.idiom(&whole) {
+        return Some(((0, n), entry));
+    }
+    model.lexicon.idioms().next()?;
+    let empty = empty_entries(model, words);
+    let before = empty.iter().take_while(|entry| entry.is_some()).count();
+    let behind = empty.iter().rev().take_while(|entry| entry.is_some()).count();
+    let spans = (0..=before)
+        .flat_map(|start| (start.max(n - behind)..=n).rev().map(move |end| (start, end)));
+    spans
+        .into_iter()
+        .find_map(|(start, end)| Some(((start, end), model.lexicon.idiom(&whole[start..end])?)))
 }
 
 /// Words as the lexicon has them.

@@ -20,6 +20,8 @@ const HEADER: &str = "groundling model 1";
 const FAR: f64 = -2.0;
 /// What a measure scores, as if a seed lexicon had it.
 const MEASURE: f64 = 12.0;
+/// What it is worth that words are a name that was given.
+const NAME: f64 = 1.0;
 
 /// Type shifts that a grammar may have: rules are numbered in a byte.
 const MAX_SHIFTS: usize = 64;
@@ -109,6 +111,22 @@ impl Model {
         let syntax = self.grammar.syntaxes.atom(Atom::S);
         let category = Category { syntax, meaning: goal };
         self.lexicon.add_idiom(&mut self.grammar, words, category).map(drop)
+    }
+
+    /// Gives words the category that other words have; it goes before what learning made of them.
+    ///
+    /// # Errors
+    /// When the category cannot be factored.
+    pub fn add_name(
+        &mut self,
+        words: &[String],
+        category: Category,
+    ) -> Result<EntryId, LogicError> {
+        let words = words.iter().map(|word| Box::from(word.as_str())).collect();
+        let entry =
+            self.lexicon.add_category(&mut self.grammar, words, category, Origin::Learned)?;
+        self.features.set(Feature::Entry(entry), NAME);
+        Ok(entry)
     }
 
     /// The model file's text.

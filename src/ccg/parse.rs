@@ -10,7 +10,7 @@ use super::closed::Kind;
 use super::combinator::Grammar;
 use super::derivation::Derivation;
 use super::goals::{Goal, Goals};
-use super::hearing::{Hearing, boxed, taken};
+use super::hearing::{self, Hearing, boxed, taken};
 use super::lexicon::EntryId;
 use super::lookup::lexical_item;
 use super::model::Model;
@@ -160,8 +160,15 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
     }
     let hearing = Hearing::new(model, &words);
     let Hearing { words: heard, closed, empty } = &hearing;
-    let mut parse = match idiom(model, &hearing) {
-        Some(item) => fill(model, heard, vec![item], |_, _, _| true, config),
+    let idiom = idiom(model, &hearing);
+    let is_whole = idiom.as_ref().is_some_and(|item| item.own == (item.start, item.end));
+    let of_idiom = |model: &mut Model, item| fill(model, heard, vec![item], |_, _, _| true, config);
+    let mut parse = match idiom {
+        Some(item) if is_whole => of_idiom(model, item),
+        Some(item) => match fill_clauses(model, &hearing, config) {
+            parse if parse.readings.is_empty() => of_idiom(model, item),
+            parse => parse,
+        },
         None => fill_clauses(model, &hearing, config),
     };
     if parse.readings.is_empty() {
@@ -246,11 +253,11 @@ fn left_out(
     left_out
 }
 
-/// The entry of the whole sentence, if it is an idiom.
+/// The idiom that a sentence is, as an entry for all of it.
 fn idiom(model: &Model, hearing: &Hearing) -> Option<Lexical> {
     let is_closed = hearing.closed.iter().any(Option::is_some);
-    let entry = model.lexicon.idiom(&boxed(&hearing.words)).filter(|_| !is_closed)?;
-    Some(lexical_item(model, entry, 0, hearing.words.len()))
+    let (own, entry) = hearing::idiom(model, &hearing.words).filter(|_| !is_closed)?;
+    Some(Lexical { own, ..lexical_item(model, entry, 0, hearing.words.len()) })
 }
 
 /// Puts the reading first that a sentence with closed words was said to mean. It is one of its own: no closed word gets

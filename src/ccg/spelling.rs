@@ -69,23 +69,28 @@ fn is_slip(word: &str, turn: &str) -> bool {
         && (is_without_vowels || sorted(word) == sorted(turn) || undoubled(word) == undoubled(turn))
 }
 
-/// Known words that are spelt somewhat like an unknown one, nearest first, to be offered to whoever wrote it: words with
-/// a meaning, of the seed alone, since others may have misspelt what they taught; one letter away, or two in longer words.
+/// Known words that are spelt somewhat like an unknown one, nearest first, to be offered to whoever wrote it: two that were
+/// run together ("goto"), and words with a meaning, one letter away, or two in longer words. All are of the seed, since
+/// others may have misspelt what they taught.
 pub fn alike(lexicon: &Lexicon, word: &str) -> Vec<String> {
     let length = word.chars().count();
     let bound = if length < LONGER { 1 } else { 2 };
-    let is_seed = |known: &&str| {
+    let is_seed = |known: &str| {
         let means =
             |&id: &EntryId| lexicon.origin(id) == Origin::Seed && !lexicon.is_empty_entry(id);
         lexicon.entries_for_word(known).iter().any(means)
     };
     let mut near: Vec<(usize, &str)> = lexicon
         .vocabulary()
-        .filter(is_seed)
+        .filter(|known| is_seed(known))
         .map(|known| (strsim::damerau_levenshtein(word, known), known))
         .filter(|&(distance, known)| distance <= bound && distance < known.chars().count())
         .filter(|_| length >= 2)
         .collect();
     order::sort_by_key(&mut near, |&one| one);
-    near.into_iter().map(|(_, known)| known.to_owned()).collect()
+    let splits = word.char_indices().map(|(at, _)| word.split_at(at));
+    let apart = splits
+        .filter(|(one, other)| one.len() > 1 && other.len() > 1 && is_seed(one) && is_seed(other));
+    let apart = apart.map(|(one, other)| format!("{one} {other}"));
+    apart.chain(near.into_iter().map(|(_, known)| known.to_owned())).collect()
 }

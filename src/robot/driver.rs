@@ -204,7 +204,11 @@ impl Driver {
                     Some(states) => self.follow(states),
                     None => self.halt(Halt::NoWay, deeds),
                 }
-                self.aim(now);
+                match &self.route {
+                    // What surprised it was that all is done.
+                    Some(route) if route.next().is_none() => self.arrive(deeds),
+                    _ => self.aim(now),
+                }
             }
             Event::Again(_) => {}
         }
@@ -326,7 +330,14 @@ impl Driver {
         if route.next().is_some() {
             self.aim(now);
         } else {
-            self.targets.clear();
+            self.arrive(deeds);
+        }
+    }
+
+    /// What was asked is done: stops, and waits for another command.
+    fn arrive(&mut self, deeds: &mut Vec<Deed>) {
+        self.targets.clear();
+        if self.stage == Stage::Driving {
             self.stop(deeds);
             self.stage = Stage::Ready;
             deeds.push(Deed::Tell(Told::Arrived));

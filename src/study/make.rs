@@ -19,6 +19,7 @@ const GERMAN: &str = "Geh zur grünen Tasche und bleib neben ihr stehen.";
 
 /// A study of tasks, being made.
 pub struct Making {
+    /// What it is to be; an example that shows nothing is drawn.
     study: Study,
     tasks: Vec<StudyTask>,
     /// How many pairs an item has.
@@ -70,7 +71,9 @@ impl Making {
             let Some(task) = self.tasks.get(self.at) else {
                 let german = self.study.language == "de";
                 let says = example().first().map_or(String::new(), |t| t.says[0].words.clone());
-                let command = if german { GERMAN.to_owned() } else { says };
+                let usual = if german { GERMAN.to_owned() } else { says };
+                let own = self.study.words.example.take().map(|example| example.command);
+                let command = own.unwrap_or(usual);
                 self.study.words.example = Some(Worked { shows, command });
                 return Some(Ok(Made { study: self.study.clone(), open: self.open.clone() }));
             };
@@ -89,7 +92,7 @@ impl Making {
         }
         let begun = match self.tasks.get(self.at) {
             Some(task) => Drawing::new(&self.tasks, &task.name, self.pairs, seed),
-            None if self.study.words.example.is_some() => {
+            None if self.study.words.example.as_ref().is_some_and(|one| !one.shows.is_empty()) => {
                 return Some(Ok(Made { study: self.study.clone(), open: self.open.clone() }));
             }
             None => Drawing::new(&example(), "example", self.study.shown.max(1), seed),

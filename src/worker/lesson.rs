@@ -1,10 +1,12 @@
 //! What came of a lesson besides weights: whether what a command would do now ends where things were put, which other
-//! readings would, what was added in plain words, and phrases taught by saying them in other words. Such a phrase is an
-//! idiom of the model: a whole sentence with a goal. A closed word gets no new meaning by it (`ccg::closed`).
+//! readings would, what was added in plain words, and phrases taught by saying them in other words. Where these describe a
+//! thing, the phrase is its name; where they are a command, it is an idiom of the model: a whole sentence with a goal. A
+//! closed word gets no new meaning by it (`ccg::closed`).
 
 use super::protocol::{Check, Fit, Lesson, Meaning, Refusal, Told, What};
 use crate::ccg::{
-    Atom, ChartConfig, EntryId, Model, Origin, Parse, SyntaxId, closed, parse_words, words,
+    Atom, Category, ChartConfig, Derivation, EntryId, Model, Origin, Parse, SyntaxId, closed,
+    parse_words, words,
 };
 use crate::corpus::{Example, Pair};
 use crate::domain::{Cell, State, cell_at};
@@ -16,19 +18,28 @@ const MOST_READINGS: usize = 30;
 /// Readings that are offered.
 const MOST_FITS: usize = 3;
 
-/// Gives a lesson's whole command the meaning that the person chose or said in other words.
+/// What comes before a description to make a command of it.
+const GO_TO: &str = "go to the ";
+
+/// Gives a lesson's command the meaning that the person chose or said in other words; the entry of a name that was given.
 ///
 /// # Errors
 /// Why it cannot have it.
-pub(super) fn mean(model: &mut Model, lesson: &Lesson) -> Result<(), Refusal> {
-    let Some(means) = &lesson.means else { return Ok(()) };
+pub(super) fn mean(model: &mut Model, lesson: &Lesson) -> Result<Option<EntryId>, Refusal> {
+    let Some(means) = &lesson.means else { return Ok(None) };
     let said = words(&lesson.command);
+    if bare(&said).is_empty() {
+        return Err(Refusal::Known);
+    }
     let own = parsed(model, &lesson.command);
     let goal = match means {
         Meaning::Form(form) => read(&mut model.grammar.terms, form).map_err(|_| Refusal::Lost)?,
         Meaning::Words(other) => {
-            if own.answer().is_some() && own.left_out.is_empty() {
+            if is_understood(&own) {
                 return Err(Refusal::Known);
+            }
+            if let Some(thing) = described(model, other) {
+                return name(model, bare(&said), thing).map(Some);
             }
             let other = parsed(model, other);
             let goal = other.answer().filter(|_| other.left_out.is_empty());
@@ -40,19 +51,65 @@ pub(super) fn mean(model: &mut Model, lesson: &Lesson) -> Result<(), Refusal> {
     if let Some(word) = closed.and_then(|at| said.get(at)) {
         return Err(Refusal::Closed(word.clone()));
     }
-    model.add_idiom(&said, goal).map_err(|_| Refusal::Lost)
+    model.add_idiom(&said, goal).map_err(|_| Refusal::Lost)?;
+    Ok(None)
+}
+
+/// Gives a thing a name.
+fn name(model: &mut Model, said: &[String], thing: Category) -> Result<EntryId, Refusal> {
+    let closed = closed(said).iter().position(Option::is_some);
+    match closed.and_then(|at| said.get(at)) {
+        Some(word) => Err(Refusal::Closed(word.clone())),
+        None => model.add_name(said, thing).map_err(|_| Refusal::Lost),
+    }
+}
+
+/// The noun that words are, with an article or without, if they are one.
+fn described(model: &mut Model, other: &str) -> Option<Category> {
+    let said = words(other);
+    let noun = bare(&said);
+    let parse = parsed(model, &format!("{GO_TO}{}", noun.join(" ")));
+    let derivation = parse.derivation(parse.answer().filter(|_| is_understood(&parse))?);
+    let before = words(GO_TO).len();
+    noun_at(model, &derivation, (before, before + noun.len()))
+}
+
+/// The noun that spans these words in a derivation.
+fn noun_at(model: &Model, derivation: &Derivation, span: (usize, usize)) -> Option<Category> {
+    let category = derivation.category();
+    if derivation.span() == span && is_noun(model, category.syntax) {
+        return Some(category);
+    }
+    let Derivation::Node { children, .. } = derivation else { return None };
+    children.iter().find_map(|child| noun_at(model, child, span))
+}
+
+/// Words without the article that they may begin with.
+fn bare(words: &[String]) -> &[String] {
+    match words {
+        [article, rest @ ..] if ["the", "a", "an"].contains(&&**article) => rest,
+        all => all,
+    }
+}
+
+/// Whether a command has one answer, and nothing of it is left out.
+fn is_understood(parse: &Parse) -> bool {
+    parse.answer().is_some() && parse.left_out.is_empty()
 }
 
 /// Whether the one answer to a lesson's command is what it says that it means.
 pub(super) fn is_meant(model: &mut Model, lesson: &Lesson) -> bool {
-    let answer = parsed(model, &lesson.command).answer();
-    let answer = answer.map(|answer| print(&model.grammar.terms, answer.form));
+    let mut answer = |command: &str| {
+        let answer = parsed(model, command).answer();
+        answer.map(|answer| print(&model.grammar.terms, answer.form))
+    };
+    let is_same = |one: Option<String>, other| one.is_some() && one == other;
     match &lesson.means {
-        Some(Meaning::Form(form)) => answer.as_ref() == Some(form),
+        Some(Meaning::Form(form)) => answer(&lesson.command).as_ref() == Some(form),
         Some(Meaning::Words(other)) => {
-            let other = parsed(model, other).answer();
-            let other = other.map(|other| print(&model.grammar.terms, other.form));
-            answer.is_some() && answer == other
+            let to = |said: &str| format!("{GO_TO}{}", bare(&words(said)).join(" "));
+            is_same(answer(&lesson.command), answer(other))
+                || is_same(answer(&to(&lesson.command)), answer(&to(other)))
         }
         None => false,
     }

@@ -47,9 +47,8 @@ pub(super) fn words(model: &Model, parse: &Parse, state: Option<&State>) -> Vec<
         let near = match fate {
             Fate::Unknown => {
                 let near = alike(&model.lexicon, text).into_iter();
-                let is_known =
-                    |word: &String| state.is_none_or(|state| is_here(model, word, state));
-                near.filter(is_known).take(MAX_NEAR).collect()
+                let is_known = |word: &str| state.is_none_or(|state| is_here(model, word, state));
+                near.filter(|words| words.split(' ').all(is_known)).take(MAX_NEAR).collect()
             }
             _ => Vec::new(),
         };

@@ -96,12 +96,18 @@ impl Lessons {
         is_less
     }
 
-    fn taught(&self, Taught { mut model, entries, understood }: Taught) -> Event {
+    fn taught(&self, Taught { mut model, mut entries, understood }: Taught) -> Event {
         let mut shown = understood.into_iter();
         let (mut understood, mut refusal) = (Vec::new(), None);
         for lesson in &self.all {
             let as_shown = is_shown(lesson) && shown.next().unwrap_or(false);
-            refusal = mean(&mut model, lesson).err();
+            refusal = match mean(&mut model, lesson) {
+                Ok(name) => {
+                    entries.extend(name);
+                    None
+                }
+                Err(refusal) => Some(refusal),
+            };
             let is_meant = refusal.is_none() && is_meant(&mut model, lesson);
             understood.push(if lesson.means.is_some() { is_meant } else { as_shown });
         }

@@ -172,7 +172,7 @@ fn behind_doors() -> Request {
     let form = format!("(and:<t*,t> {})", parts.collect::<Vec<_>>().join(" "));
     let rules =
         WorldRules { pull: true, landmarks_stay: false, lock: 0.5, ..WorldRules::default() };
-    Request::Plan { form, state, rules }
+    Request::Plan { form, run: vec![state], rules }
 }
 
 /// What each step of a request costs, in seconds.

@@ -1,6 +1,6 @@
 // Sizes of the built site as it travels (brotli): `node sizes.mjs FOLDER` prints them and fails over the limits.
-// First view: the HTML, the styles, the app and the engine that talks. The renderer, the engine that learns, the keeper,
-// the workbench, models and corpora come after it.
+// First view: the HTML, the styles, the app and the engine that talks. What of the app comes late, the renderer, the
+// engine that learns, the keeper, the workbench, models and corpora come after it.
 
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -8,8 +8,7 @@ import zlib from 'node:zlib';
 
 const KB = 1000;
 const LIMITS = [
-  // Aim: 400, which it held until goals in time came: reading them, planning for them and telling of them weigh 31.
-  { what: 'first view', most: 430 * KB, counts: (kind) => kind === 'first' || kind === 'base' },
+  { what: 'first view', most: 400 * KB, counts: (kind) => kind === 'first' || kind === 'base' },
   { what: 'models', most: 150 * KB, counts: (kind) => kind === 'model' },
   // Aim: 1,800. The workbench and what it asks of the learner came on top of it, what it keeps, studies, driving a
   // robot (200), and goals in time.
@@ -23,6 +22,7 @@ const LIMITS = [
 /** When a file of the site is loaded. */
 function kindOf(name) {
   if (/^(guide|docs)\//.test(name)) return 'guide';
+  if (/_late\./.test(name)) return 'late';
   if (/renderer|scene/.test(name)) return 'renderer';
   if (/learner/.test(name)) return 'learner';
   if (/keeper/.test(name)) return 'keeper';
@@ -58,7 +58,7 @@ for (const { what, most, counts } of LIMITS) {
 }
 // A site without an app is small and wrong.
 const PARTS = [
-  /app.*\.wasm$/, /learner.*\.wasm$/, /renderer.*\.wasm$/, /keeper.*\.wasm$/, /workbench.*\.wasm$/, /collect.*\.wasm$/, /robot.*\.wasm$/, /\.model$/,
+  /app.*_bg\.wasm$/, /app.*_late\.wasm$/, /learner.*\.wasm$/, /renderer.*\.wasm$/, /keeper.*\.wasm$/, /workbench.*\.wasm$/, /collect.*\.wasm$/, /robot.*\.wasm$/, /\.model$/,
 ];
 for (const part of PARTS) {
   if (!names.some((name) => part.test(name))) {

@@ -40,7 +40,7 @@ use groundling::ui::app::{Action, State, reduce};
 use groundling::ui::page::document::Document;
 use groundling::ui::page::effect::{Effect, Timer};
 use groundling::ui::page::engine::Health;
-use groundling::ui::page::grammar::{English, Phrases};
+use groundling::ui::page::grammar::{English, Scenes};
 use groundling::ui::page::history::History;
 use groundling::ui::page::keep::ask::Ask;
 use groundling::ui::page::language::Language;

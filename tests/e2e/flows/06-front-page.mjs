@@ -23,12 +23,14 @@ for (const colorScheme of ['light', 'dark']) {
   }
 }
 
-/** Which of these are not wholly in the window. */
+/** Which of these are not wholly in the window, or lie under the command bar where that stays at the bottom. */
 async function inSight(demo, ids) {
-  const { width, height } = demo.page.viewportSize();
+  const { width, height: whole } = demo.page.viewportSize();
+  const bar = await demo.page.locator('.say.main').evaluate((it) => getComputedStyle(it).position === 'fixed' && it.getBoundingClientRect().top);
   const out = [];
   for (const id of ids) {
     const box = await demo.by(id).boundingBox();
+    const height = bar && id !== 'command' ? bar : whole;
     if (!box || box.x < 0 || box.y < 0 || box.x + box.width > width + 1 || box.y + box.height > height + 1) out.push(id);
   }
   return out;
@@ -150,10 +152,15 @@ for (const [width, height] of [[390, 844], [720, 450], [1440, 900], [320, 640]])
     await demo.by('command').fill('put the yellow block in the biggest room');
     await demo.by('command').press('Enter');
     await demo.by('plan').waitFor();
-    await t.until('room and player are in sight', async () => (await inSight(demo, ['stage', 'plan', 'command'])).length === 0, 5);
+    await t.until('room, player and answer are in sight', async () =>
+      (await inSight(demo, ['stage', 'plan', 'understood', 'command'])).length === 0, 5);
     await t.fits('a plan');
     await demo.ask(`go to the ${'a'.repeat(40)} room`);
     await t.fits('a word of forty letters');
+    await demo.ask('put the yellow block in the biggest room');
+    await demo.deepen('study');
+    await demo.by('study').waitFor();
+    await t.fits('as deep as it goes');
   });
 }
 

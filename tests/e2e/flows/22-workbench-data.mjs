@@ -33,8 +33,10 @@ flow('twenty thousand rows are looked through, and few are in the page', async (
   await t.check(async () => (await demo.by('row').count()) < 80, 'few rows are in the page');
   const grid = demo.by('rows');
   const last = () => demo.page.locator('#row-20000');
-  await grid.evaluate((it) => { it.scrollTop = it.scrollHeight; });
-  await last().waitFor();
+  await t.until('the last row is shown', async () => {
+    await grid.evaluate((it) => { it.scrollTop = it.scrollHeight; });
+    return last().isVisible();
+  });
   await t.check(async () => (await demo.by('row').count()) < 80, 'few rows are in the page at the end');
   await grid.focus();
   await demo.page.keyboard.press('Home');

@@ -1,6 +1,7 @@
 // Driving a robot: the page's own, and one behind a rosbridge; what stops it; and that the stop is always in reach.
 
 import { flow } from '../flow.mjs';
+import { openPage } from '../page.mjs';
 import { openRobot, startPeer } from '../robot.mjs';
 
 /** A flow with a peer. */
@@ -72,6 +73,34 @@ flow('a simulated robot is looked at, then drives as long as the key is held', {
   await robot.letGo();
   await t.check(x > 3.4, 'it stood on the way');
   await t.check(async () => /Done/.test(await robot.by('stage').textContent()), () => robot.by('stage').textContent());
+});
+
+peered('what was done of a sequence is not done again behind a surprise', { seconds: 300 }, async (t, peer) => {
+  const robot = await ready(t, peer);
+  await robot.ask('go to the red room, then to the blue room');
+  await robot.hold();
+  const isRed = async () => {
+    const { agent: [column, row] } = await peer.report();
+    return column > 4 && row > 4;
+  };
+  await t.until('it is in the red room', isRed, 200);
+  await t.until('it has left it', async () => !(await isRed()), 200);
+  // The base is put elsewhere: the page stops, and who has looked lets it go on.
+  peer.tell('carry 8 2 west');
+  await robot.at('halted');
+  await robot.letGo();
+  await robot.press('release');
+  await robot.finds('placed', 'good');
+  await robot.press('arm');
+  await robot.at('ready');
+  await robot.hold();
+  let again = false;
+  await t.until('it is in the blue room', async () => {
+    again ||= await isRed();
+    return (await robot.stage()) === 'ready' && (await peer.report()).agent[0] < 4;
+  }, 200);
+  await robot.letGo();
+  await t.check(!again, 'it was in the red room once');
 });
 
 peered('a robot behind a rosbridge is calibrated by four corners and drives', { seconds: 300 }, async (t, peer) => {
@@ -200,6 +229,37 @@ peered('what comes in wrong is told apart', {}, async (t, peer) => {
     peer.tell(`say ${said}`);
     await t.check(async () => words.test(await robot.by('bad').textContent()), () => robot.by('bad').textContent());
   }
+});
+
+peered('a robot is found as it was set up, and it is listed with all that is kept', {}, async (t, peer) => {
+  const robot = await openRobot(t);
+  await robot.link(peer);
+  await robot.press('here');
+  await robot.finds('placed', 'good');
+  await robot.by('topics').locator('summary').click();
+  await robot.press('link');
+  await robot.by('velocity').fill('/turtle/cmd_vel');
+  // It is kept once nothing has changed for a moment.
+  await robot.page.waitForTimeout(1500);
+  await robot.page.reload();
+  await robot.by('recalled').waitFor();
+  await t.check(() => robot.by('real').isChecked(), 'which robot');
+  await t.equal(() => robot.by('address').inputValue(), peer.address, 'its address');
+  await robot.by('topics').locator('summary').click();
+  await t.equal(() => robot.by('velocity').inputValue(), '/turtle/cmd_vel', 'its topic');
+  await t.equal(() => robot.stage(), 'off', 'it is off');
+  await t.equal(() => robot.found('stops'), 'open', 'and to be looked at again');
+  await t.accessible('a robot as it was set up');
+  const demo = await openPage(t);
+  await demo.press('view-kept');
+  const row = demo.by('kept-item').filter({ hasText: 'How your robot is set up' });
+  await row.waitFor();
+  await row.getByTestId('delete').click();
+  await t.until('it is gone', async () => (await row.count()) === 0);
+  await robot.page.reload();
+  await robot.by('stage').waitFor();
+  await robot.page.waitForTimeout(1500);
+  await t.check(async () => !(await robot.by('real').isChecked()), 'the page as it is at first');
 });
 
 flow('an address that is none is told', {}, async (t) => {

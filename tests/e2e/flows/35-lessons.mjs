@@ -132,6 +132,21 @@ flow('a phrase of two things is taught by other words, and both are brought', as
   await t.check(async () => /teal bag in the red room/.test(await demo.world()), () => demo.world());
 });
 
+flow('a name is taught by a description, is told, and is a name in any sentence', async (t) => {
+  const demo = await openPage(t);
+  await demo.by('command').fill('dungeon means: the blue room');
+  await demo.press('ask');
+  await demo.by('learned').waitFor();
+  await t.equal(() => demo.by('lesson-means').allTextContents(), ['the blue room'], 'the list says what it means');
+  await demo.ask('put the block in the dungeon');
+  await t.equal(() => demo.plain(), 'I will bring the block into the blue room.', 'it is understood as that');
+  await demo.by('command').fill('cellar means: where is the block?');
+  await demo.press('ask');
+  await demo.by('teach-notice').waitFor();
+  await demo.ask('go to the dungeon');
+  await t.equal(() => demo.by('teach-notice').count(), 0, 'what was wrong before is not told any more');
+});
+
 flow('what words mean now is said in plain words at every depth', async (t) => {
   const demo = await openPage(t);
   await demo.mode('teach');

@@ -51,3 +51,30 @@ flow('a page without its model says so, and can train one', async (t) => {
   await t.page.getByTestId('fetch-model').click();
   await t.until('it came', () => t.page.locator('form.say.main[aria-busy=false]').count());
 });
+
+flow('what comes late comes when it is wanted, though it did not come by itself', async (t) => {
+  await t.context.addInitScript(() => {
+    const own = fetch;
+    globalThis.fetch = (what, how) => (/_late\./.test(what) ? Promise.reject(new Error('away')) : own(what, how));
+  });
+  const demo = await openPage(t);
+  await demo.ask('go to the blue room');
+  await demo.press('ask-why');
+  await demo.by('planner').waitFor();
+  await t.equal(() => demo.plain(), 'I will go to the blue room.', 'and the page goes on');
+});
+
+flow('what comes late and cannot be fetched is told in words', async (t) => {
+  t.expect(/_late\.|A part of the page could not be fetched|Failed to load resource: net::ERR_FAILED/);
+  await t.context.route(/_late\./, (route) => route.abort());
+  const demo = await openPage(t);
+  await demo.by('command').fill('go to the blue room');
+  await demo.page.keyboard.press('Enter');
+  await demo.by('crash').waitFor();
+  await t.check(async () => /could not be fetched/.test(await demo.by('crash-report').textContent()), 'why');
+  await t.context.unroute(/_late\./);
+  await demo.press('crash-restart');
+  await demo.ready();
+  await demo.ask('go to the blue room');
+  await t.equal(() => demo.plain(), 'I will go to the blue room.', 'with it, the page goes on');
+});

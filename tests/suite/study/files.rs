@@ -101,20 +101,20 @@ fn a_bad_study_is_refused_in_words() {
 fn a_run_takes_a_pairs_place() {
     let mut all = study(1);
     let start = showing(1).states().0.clone();
-    all.items[0].shows = vec![run("eew"), showing(1), run("e"), showing(1)];
+    all.items[0].shows = vec![run("ewe"), showing(1), run("e"), showing(1)];
     all.shown = 4;
     let text = all.write();
-    assert!(text.contains("\"actions\":\"eew\",\"contrast\":[\"n\"]"), "{text}");
+    assert!(text.contains("\"actions\":\"ewe\",\"contrast\":[\"n\"]"), "{text}");
     let read = Study::read(&text).unwrap();
     assert_eq!(read, all);
     let shown = &read.items[0].shows[0];
     assert_eq!((shown.steps(), showing(1).steps()), (Some(3), None));
-    assert_eq!([0, 1, 2, 3].map(|steps| shown.behind(steps).agent.x - start.agent.x), [0, 1, 2, 1]);
+    assert_eq!([0, 1, 2, 3].map(|steps| shown.behind(steps).agent.x - start.agent.x), [0, 1, 0, 1]);
     assert_eq!(shown.behind(9), *shown.states().1);
     for (bad, why) in [
-        (text.replace("eew", "exw"), "no action is called 'x'"),
+        (text.replace("ewe", "exe"), "no action is called 'x'"),
         (
-            text.replace("\"actions\":\"eew\",", ""),
+            text.replace("\"actions\":\"ewe\",", ""),
             "a pair is {pre, post}, a run is {start, actions}",
         ),
     ] {

@@ -23,6 +23,16 @@ fn questions_are_told_from_commands() {
     assert_eq!(about("is the block in the blue room?"), is(Query::Is, put));
     assert_eq!(about("are you in the red room?"), is(Query::Is, "go in the red room"));
     assert_eq!(about("how many chairs are there?"), is(Query::Count, "go to the chair"));
+    assert_eq!(about("is there a chair?"), is(Query::Count, "go to the chair"));
+    assert_eq!(about("are there any red chairs?"), is(Query::Count, "go to the red chair"));
+    assert_eq!(
+        about("is there a block in the red room"),
+        is(Query::Is, "put a block in the red room")
+    );
+    assert_eq!(about("what rooms are there?"), is(Query::Count, "go to the room"));
+    assert_eq!(about("which objects do you see"), is(Query::Count, "go to the object"));
+    assert_eq!(about("how many rooms"), is(Query::Count, "go to the room"));
+    assert_eq!(about("what can you see?"), is(Query::World, ""));
     assert_eq!(about("what can you do?"), is(Query::Can, ""));
     assert_eq!(about("how do I teach you a word"), is(Query::Can, ""));
     assert_eq!(about("what is the biggest room?"), is(Query::Name, "go to the biggest room"));

@@ -51,16 +51,17 @@ impl Part {
 
     fn settle(&mut self) {
         loop {
-            for effect in self.desk.take_wanted() {
+            let wanted = self.desk.take_wanted();
+            if wanted.is_empty() && !self.engine.busy() {
+                break;
+            }
+            for effect in wanted {
                 match effect {
                     Effect::SpawnEngine(_) => self.hears(0, Event::Ready),
                     Effect::Post(_, envelope) => self.engine.start(envelope.id, envelope.body),
                     Effect::Watch(..) => {}
                     other => self.wanted.push(other),
                 }
-            }
-            if !self.engine.busy() {
-                break;
             }
             if let Some((id, event)) = self.engine.step() {
                 // As it crosses.
@@ -138,6 +139,7 @@ fn a_study_is_drawn_by_the_engine_and_saved() {
     part.act(Action::Draft(Change::Tasks(TASK.into())));
     part.act(Action::Draft(Change::Pairs(2)));
     part.act(Action::Draft(Change::Ways(true)));
+    part.act(Action::Draft(Change::Says(Place::Example, "Off to the green bag!".into())));
     part.act(Action::Draft(Change::Check(0, "to-bag".into())));
     part.act(Action::Draft(Change::Must(0, "bag/sack go".into())));
     part.act(Action::Draft(Change::Check(1, "nowhere".into())));
@@ -151,7 +153,9 @@ fn a_study_is_drawn_by_the_engine_and_saved() {
     let [item] = &made.items[..] else { panic!("{} items", made.items.len()) };
     assert_eq!(item.must, [vec!["bag".to_owned(), "sack".into()], vec!["go".into()]]);
     assert!(item.shows.iter().all(|shown| shown.steps().is_some_and(|steps| steps >= 2)), "runs");
-    assert!(made.words.example.as_ref().unwrap().shows[0].steps().is_some(), "of the example, too");
+    let example = made.words.example.as_ref().unwrap();
+    assert_eq!(example.command, "Off to the green bag!");
+    assert!(example.shows.len() == 3 && example.shows[0].steps().is_some(), "{example:?}");
     assert_eq!(*made, Study::read(&part.saves(Saved::Study)).unwrap());
     part.act(Action::Open(file("six.json", &study().write())));
     assert_eq!(Study::read(&part.saves(Saved::Study)).unwrap(), study());
@@ -221,6 +225,7 @@ fn what_no_corpus_takes_is_said_and_left_out_of_training_alone() {
     all[0].command = "go east ".repeat(300);
     all[1].command = "?!".into();
     let mut part = Part::default();
+    part.act(Action::Open(file("study.json", &study.write())));
     part.act(Action::Answers(file("a.jsonl", &lines(&all))));
     let unfit = |part: &Part, row: usize| part.state.review.rows[row].flags.contains(&Flag::Unfit);
     assert_eq!([0, 1, 2].map(|row| unfit(&part, row)), [true, true, false]);

@@ -106,6 +106,8 @@ fn by_other_words_nothing_known_gets_another_meaning() {
     assert_eq!(refusal("and so on", blue), Some(Refusal::Closed("and".to_owned())));
     assert_eq!(refusal("unless zip", blue), Some(Refusal::Closed("unless".to_owned())));
     assert_eq!(refusal("go to the red room", blue), Some(Refusal::Known));
+    assert_eq!(refusal("the", blue), Some(Refusal::Known));
+    assert_eq!(refusal("not bruno", "the blue room"), Some(Refusal::Closed("not".to_owned())));
     assert_eq!(refusal("zip", "frobnicate the gadget"), Some(Refusal::Lost));
 }
 
@@ -136,4 +138,60 @@ fn what_was_learned_is_told_in_plain_words() {
     assert!(report.told.iter().any(|told| told.words.contains("flump")));
     let plain = report.told.iter().filter(|told| told.what != What::Other);
     assert!(plain.count() > 0, "{:?}", report.told);
+}
+
+#[test]
+fn a_name_is_taught_by_a_description() {
+    for (name, thing) in [
+        ("dungeon", "the blue room"),
+        ("the dungeon", "blue room"),
+        ("cosy corner", "the room with the block"),
+    ] {
+        let report = teach(&[said(name, thing)]);
+        assert_eq!((report.understood, report.refusal), (vec![true], None), "{name}");
+        let (model, called) = (&report.model.model, name.trim_start_matches("the "));
+        let meant = thing.trim_start_matches("the ");
+        for frame in ["go to the", "leave the", "put the block in the"] {
+            let [named, described] =
+                [called, meant].map(|noun| best(model, &format!("{frame} {noun}")));
+            assert_eq!(named, described, "{frame} {called}");
+        }
+        assert!(
+            matches!(report.told[..], [ref told] if told.words == called && matches!(told.what, What::Thing(_)))
+        );
+    }
+}
+
+#[test]
+fn a_thing_has_a_name_too() {
+    let report = teach(&[
+        said("bruno", "the yellow block"),
+        said("bring bruno home", "take bruno to the red room"),
+    ]);
+    assert_eq!(report.understood, [true, true]);
+    let model = &report.model.model;
+    assert_eq!(
+        best(model, "take bruno to the blue room"),
+        best(MODEL, "take the yellow block to the blue room")
+    );
+    assert_eq!(
+        best(model, "bring bruno home"),
+        best(MODEL, "take the yellow block to the red room")
+    );
+}
+
+#[test]
+fn a_taught_phrase_holds_among_words_that_mean_nothing() {
+    let words = "put the block in the blue room";
+    let report = teach(&[said("tidy up", words)]);
+    let model = &report.model.model;
+    for command in ["please tidy up", "tidy up please", "Please, tidy up now!"] {
+        let answer = ask(model, command);
+        assert_eq!(
+            (answer.readings[0].form.clone(), answer.reason),
+            (best(MODEL, words), None),
+            "{command}"
+        );
+    }
+    assert_ne!(ask(model, "do not tidy up").reason, None, "a closed word is never silent");
 }

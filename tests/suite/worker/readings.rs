@@ -288,3 +288,14 @@ fn every_world_of_the_generator_is_answered_in() {
         assert!(matches!(event, Some(Event::Answer(_))), "{seed}: {event:?}");
     }
 }
+
+#[test]
+fn words_that_were_run_together_are_offered_apart() {
+    let answer = answer("goto the blue room");
+    assert_eq!(
+        answer.words[0].near.first().map(String::as_str),
+        Some("go to"),
+        "{:?}",
+        answer.words[0].near
+    );
+}

@@ -64,9 +64,12 @@ pub(super) fn masthead(state: &State, act: &Callback<Action>) -> Html {
             </div>
             if *view == View::Talk {
                 <p class="pitch">
-                    { text.pitch }
-                    { for text.links.iter().map(|(words, href)| html! { <>{" "}<a href={*href}>{ words }</a></> }) }
-                    if let Some(source) = SOURCE { {" "}<a href={source}>{ text.source }</a> }
+                    { text.pitch }{" "}
+                    // Together, so that a line does not end in the middle of them.
+                    <span class="ways">
+                        { for text.links.iter().map(|(words, href)| html! { <a href={*href}>{ words }</a> }) }
+                        if let Some(source) = SOURCE { <a href={source}>{ text.source }</a> }
+                    </span>
                 </p>
             }
         </header>

@@ -2,13 +2,13 @@
 
 use crate::study::ends::Refusal;
 use crate::ui::collect::action::Trouble;
-use crate::ui::page::grammar::Phrases;
+use crate::ui::page::grammar::Scenes;
 use crate::ui::page::keep::fault::Fault;
 
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
 pub struct Text {
-    pub grammar: &'static (dyn Phrases + Sync),
+    pub grammar: &'static (dyn Scenes + Sync),
     pub loading: &'static str,
     pub no_study: &'static str,
     pub trouble: fn(&Trouble) -> String,

@@ -2,7 +2,8 @@
 
 use super::english_claims;
 use super::english_deeds;
-use super::phrases::{Phrases, Spot, spot};
+use super::phrases::Phrases;
+use super::scenes::{Scenes, Spot, spot};
 use crate::domain::{Color, Lock, Object, Shape, Size, State};
 use crate::ui::page::place::Place;
 use crate::worker::protocol::{Claim, Noun, Phrase, Referent, Refers};
@@ -62,7 +63,9 @@ impl Phrases for English {
             format!("the {size}{gap}{color}{noun}")
         }
     }
+}
 
+impl Scenes for English {
     fn list(&self, all: &[String]) -> String {
         match all {
             [] => "nothing".to_owned(),

@@ -5,7 +5,8 @@ use super::german_deeds;
 use super::german_words::Case::Nominative;
 use super::german_words::Gender::{Feminine, Masculine, Neuter};
 use super::german_words::{adjective, compass, definite, property};
-use super::phrases::{Phrases, Spot, capitalised, spot};
+use super::phrases::{Phrases, capitalised};
+use super::scenes::{Scenes, Spot, spot};
 use crate::domain::{Color, Lock, Object, Shape, Size, State};
 use crate::ui::page::place::Place;
 use crate::worker::protocol::{Claim, Noun, Phrase, Referent, Refers};
@@ -63,7 +64,9 @@ impl Phrases for German {
         adjectives.extend(referent.color.map(|color| adjective(color.name())));
         definite(&adjectives, word, gender, Nominative)
     }
+}
 
+impl Scenes for German {
     fn list(&self, all: &[String]) -> String {
         match all {
             [] => "nichts".to_owned(),

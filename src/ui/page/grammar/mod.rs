@@ -1,5 +1,6 @@
 //! The grammar of every language: goals, things, worlds and changes as people say them.
 
+mod scenes;
 mod phrases;
 mod claims;
 mod english;
@@ -12,4 +13,5 @@ mod german_deeds;
 
 pub use english::English;
 pub use german::German;
-pub use phrases::{Phrases, capitalised, room_at, spot};
+pub use phrases::{Phrases, capitalised};
+pub use scenes::{Scenes, room_at, spot};

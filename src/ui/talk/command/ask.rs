@@ -66,6 +66,7 @@ pub(crate) fn ask(state: &mut State, shared: &mut Shared) {
     state.room.mode = Mode::Watch;
     state.room.let_go();
     state.command.forget();
+    (state.teach.notice, state.teach.offer) = (None, None);
     shared.want(Effect::Reveal("scene"));
     let command = state.command.input.clone();
     request(state, shared, |world, rules| Request::Ask { command, state: world, rules });

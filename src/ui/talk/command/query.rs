@@ -11,7 +11,7 @@ pub enum Query {
     Inside,
     /// Whether something is somewhere.
     Is,
-    /// How many there are.
+    /// How many there are, and which.
     Count,
     /// What there is.
     World,
@@ -22,20 +22,21 @@ pub enum Query {
 }
 
 /// How questions begin, the longer before the shorter.
-const HEADS: [(&str, Query); 59] = [
-    ("which room is the biggest", Query::Name),
-    ("which room is the smallest", Query::Name),
-    ("which room is the largest", Query::Name),
+const HEADS: [(&str, Query); 62] = [
     ("which room is ", Query::Where),
     ("what room is ", Query::Where),
     ("where is ", Query::Where),
     ("where's ", Query::Where),
     ("wheres ", Query::Where),
     ("tell me where ", Query::Where),
+    ("do you see anything", Query::World),
     ("do you see ", Query::Where),
+    ("can you see anything", Query::World),
     ("can you see ", Query::Where),
     ("where are ", Query::Where),
     ("where am ", Query::Where),
+    ("what can you see", Query::World),
+    ("what is around", Query::World),
     ("what is in here", Query::World),
     ("what is there", Query::World),
     ("what is here", Query::World),
@@ -64,6 +65,8 @@ const HEADS: [(&str, Query); 59] = [
     ("thank you", Query::Can),
     ("help", Query::Can),
     ("how many ", Query::Count),
+    ("have you got ", Query::Count),
+    ("do you have ", Query::Count),
     ("is there ", Query::Is),
     ("are there ", Query::Is),
     ("is ", Query::Is),
@@ -86,6 +89,8 @@ const HEADS: [(&str, Query); 59] = [
 
 /// How a command may begin, too, and does unless it asks: *when you are ready, …*.
 const MAY_COMMAND: [&str; 2] = ["when ", "where "];
+/// What there may be many of.
+const KINDS: [&str; 3] = ["rooms", "objects", "things"];
 /// How a command begins, though it asks.
 const COMMANDS: [&str; 2] = ["how about ", "what about "];
 /// How one is greeted before what is meant.
@@ -115,15 +120,20 @@ pub fn query(sentence: &str) -> Option<(Query, String)> {
         };
         fits.then_some((*kind, rest))
     };
+    // "Which room is the biggest" asks for one by what it is, and "which room is the block in" by what is there.
+    if let Some(best) = bare.strip_prefix("which room is the ").filter(|best| is_superlative(best))
+    {
+        return Some((Query::Name, format!("go to the {best} room")));
+    }
+    let listed = bare.strip_prefix("what ").or_else(|| bare.strip_prefix("which "));
+    if let Some(what) =
+        listed.filter(|what| KINDS.contains(&what.split(' ').next().unwrap_or(what)))
+    {
+        return Some((Query::Count, counted(what)));
+    }
     let (kind, about) = HEADS.iter().find_map(begins)?;
     let about = match kind {
-        Query::Name => match about.is_empty() {
-            // Which room is the biggest, the smallest.
-            true => {
-                format!("go to {} room", bare.strip_prefix("which room is ").unwrap_or_default())
-            }
-            false => format!("go to {}", object(&the(about))),
-        },
+        Query::Name => format!("go to {}", object(&the(about))),
         Query::Where | Query::Inside => {
             let about = [" in", " is", " are"]
                 .iter()
@@ -131,14 +141,19 @@ pub fn query(sentence: &str) -> Option<(Query, String)> {
                 .unwrap_or(about);
             format!("go to {}", object(about))
         }
-        Query::Count => {
-            let what = about.split(" are ").next().unwrap_or(about);
-            format!("go to the {}", what.strip_suffix('s').unwrap_or(what))
-        }
+        Query::Count => counted(about),
         Query::Is => {
-            // Whether a thing has a property is no question of places.
             let at = about.find(" in ").or_else(|| about.find(" next to "));
-            let Some(at) = at else { return Some((Query::Else, String::new())) };
+            let Some(at) = at else {
+                // Whether there is one is told by those that there are; whether one has a property is no question of places.
+                let is_there = bare.starts_with("is there ") || bare.starts_with("are there ");
+                let (kind, about) = if is_there {
+                    (Query::Count, counted(about))
+                } else {
+                    (Query::Else, String::new())
+                };
+                return Some((kind, about));
+            };
             let (thing, place) = about.split_at(at);
             match object(thing) {
                 "the robot" => format!("go{place}"),
@@ -148,6 +163,22 @@ pub fn query(sentence: &str) -> Option<(Query, String)> {
         Query::World | Query::Can | Query::Else => String::new(),
     };
     Some((kind, about))
+}
+
+/// What is counted, as a command about it: *any red chairs are there*, *a chair*, *rooms do you see*.
+fn counted(about: &str) -> String {
+    let about = [" are ", " do ", " can "]
+        .iter()
+        .fold(about, |what, verb| what.split(verb).next().unwrap_or(what));
+    let one = ["any ", "some ", "a ", "an ", "the "]
+        .iter()
+        .find_map(|article| about.strip_prefix(article))
+        .unwrap_or(about);
+    format!("go to the {}", one.strip_suffix('s').unwrap_or(one))
+}
+
+fn is_superlative(word: &str) -> bool {
+    word.ends_with("est") && !word.contains(' ')
 }
 
 /// A description with its article.

@@ -6,6 +6,7 @@ use crate::ui::page::shared::Shared;
 use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn;
 use crate::ui::talk::teach::other::in_other_words;
+use crate::worker::protocol::{Meaning, Refusal};
 
 /// Says it; as soon as somebody can hear it.
 pub(crate) fn say(state: &mut State, shared: &mut Shared) {
@@ -13,7 +14,12 @@ pub(crate) fn say(state: &mut State, shared: &mut Shared) {
         return ask::ask_soon(state, shared);
     }
     if let Some(lesson) = in_other_words(&state.command.input) {
-        return learn::learn_besides(state, shared, lesson);
+        return match &lesson.means {
+            Some(Meaning::Words(words)) if query(words).is_some() => {
+                learn::refuse(state, shared, &lesson.command, &Refusal::Lost);
+            }
+            _ => learn::learn_besides(state, shared, lesson),
+        };
     }
     match query(&state.command.input) {
         Some((query, about)) => wonder::ask(state, shared, query, about),

@@ -12,7 +12,9 @@ use crate::ui::talk::command::state::MOST_CHARACTERS;
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::{Fit, Lesson, Meaning, PairText, Request, RunText, TeachReport};
+use crate::worker::protocol::{
+    Fit, Lesson, Meaning, PairText, Refusal, Request, RunText, TeachReport,
+};
 use serde::Serialize;
 use std::rc::Rc;
 
@@ -77,6 +79,14 @@ pub(crate) fn mean(state: &mut State, shared: &mut Shared, place: usize) {
     learn_besides(state, shared, lesson);
 }
 
+/// Says why a lesson in other words is none.
+pub(crate) fn refuse(state: &mut State, shared: &mut Shared, command: &str, refusal: &Refusal) {
+    let words = (Text::of(shared.language).refused)(command, refusal);
+    shared.say(words.clone());
+    state.teach.drop_last();
+    state.teach.notice = Some(words);
+}
+
 /// Teaches a lesson besides those there are; a meaning that was given takes the place of one given before.
 pub(crate) fn learn_besides(state: &mut State, shared: &mut Shared, lesson: Lesson) {
     let mut all = shared.document.taught();
@@ -132,7 +142,7 @@ pub(crate) fn learn_again(state: &mut State, shared: &mut Shared) {
 /// Teaches the model before any lesson exactly these.
 pub(crate) fn learn(state: &mut State, shared: &mut Shared, lessons: Vec<Lesson>) {
     let Some(base) = &shared.document.base else { return };
-    (state.teach.notice, state.teach.report, state.teach.offer) = (None, None, None);
+    state.teach.drop_last();
     if lessons.is_empty() {
         let base = base.clone();
         shared.record();

@@ -22,6 +22,13 @@ pub struct Teach {
     pub straight: Option<String>,
 }
 
+impl Teach {
+    /// What came of the last lesson is no longer told.
+    pub(crate) fn drop_last(&mut self) {
+        (self.notice, self.report, self.offer) = (None, None, None);
+    }
+}
+
 /// A lesson whose command can be read as what was shown, though not at first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Offer {

@@ -43,6 +43,7 @@ fn plot(chart: &Chart, label: &str, x_name: &str, y_name: &str) -> Html {
 
 /// How a planner came to its answer: what it proved of the start, and how much its values still changed. A chart
 /// without anything to show is left out.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn bounds(text: &Text, reports: &[PlanProgress]) -> Html {
     let at = |report: &PlanProgress| report.steps as f64;
     let proved: Vec<_> = reports.iter().map(|report| (at(report), report.bounds)).collect();
@@ -57,6 +58,7 @@ pub(super) fn bounds(text: &Text, reports: &[PlanProgress]) -> Html {
 }
 
 /// The colours and sizes of values from low to high.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn legend(theme: Theme, low: &str, high: &str, label: &str) -> Html {
     let step = |i: u32| {
         let share = i as f32 / (STEPS - 1) as f32;
@@ -77,6 +79,7 @@ pub(super) fn legend(theme: Theme, low: &str, high: &str, label: &str) -> Html {
 }
 
 /// A share of all, with its interval.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn interval(share: f64, interval: [f64; 2], label: &str) -> Html {
     let percent = |share: f64| (100.0 * share).clamp(0.0, 100.0);
     let [low, high] = interval.map(percent);

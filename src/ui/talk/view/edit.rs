@@ -12,6 +12,7 @@ use web_sys::{Event, HtmlInputElement, HtmlTextAreaElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The tools, with what they are set to.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn tools(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let room = &state.room;
@@ -78,6 +79,7 @@ fn at<T: Copy>(all: &[T], place: usize) -> T {
 }
 
 /// Random worlds, and the world as text.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn worlds(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let Room { blueprint, seed, text: drawing, notice, .. } = &state.room;

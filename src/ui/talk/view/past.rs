@@ -9,10 +9,12 @@ use yew::{Callback, Html, html};
 
 /// What was said before; nothing as long as nothing was.
 pub(super) fn past(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    if state.past.lines.is_empty() { Html::default() } else { lines(state, shared, act) }
+}
+
+#[inline(never)] // It comes late: www/split.mjs.
+fn lines(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
-    if state.past.lines.is_empty() {
-        return Html::default();
-    }
     let outcome = |outcome| {
         let [already, asked, unable, lost, told] = text.outcomes;
         match outcome {

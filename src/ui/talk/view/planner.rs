@@ -14,6 +14,7 @@ use crate::worker::protocol::{Request, Runs};
 use yew::{Callback, Html, html};
 
 /// The planner's card.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn planner(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let watch = &state.watch;

@@ -16,6 +16,7 @@ use yew::{Callback, Html, classes, html};
 const FIRST: usize = 4;
 
 /// The readings, best first.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn readings(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let said = shared.document.said.as_ref().filter(|_| state.command.live.is_none());

@@ -8,6 +8,7 @@ use web_sys::{Event, HtmlInputElement};
 use yew::{Callback, Html, TargetCast, html};
 
 /// The rules of the world.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn rules(shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let rules = shared.document.rules;

@@ -11,11 +11,18 @@ use yew::{Callback, Html, html};
 
 /// What there is to say about sharing.
 pub(super) fn sharing(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
-    let text = Text::of(shared.language);
     let Sharing { made, notice } = &state.sharing;
     if made.is_none() && notice.is_none() {
-        return Html::default();
+        Html::default()
+    } else {
+        told(&state.sharing, shared, act)
     }
+}
+
+#[inline(never)] // It comes late: www/split.mjs.
+fn told(sharing: &Sharing, shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
+    let Sharing { made, notice } = sharing;
     html! {
         <section class="card shared" aria-label={Common::of(shared.language).share} data-testid="shared">
             <div class="card-head">

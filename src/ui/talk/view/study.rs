@@ -14,6 +14,7 @@ use std::rc::Rc;
 use yew::{Callback, Html, classes, html};
 
 /// The study's card.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn study(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let said = shared.document.said.as_ref().filter(|_| state.command.live.is_none());

@@ -10,11 +10,12 @@ use crate::ui::talk::state::State;
 use crate::ui::talk::teach::learn::{is_begun, is_teaching};
 use crate::ui::talk::teach::unlike::{Unlike, driven};
 use crate::ui::talk::words::Text;
-use crate::worker::protocol::Lesson;
+use crate::worker::protocol::{Fit, Lesson, Meaning};
 use web_sys::{HtmlInputElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The lesson in preparation.
+#[inline(never)] // It comes late: www/split.mjs.
 pub(super) fn lesson(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let teach = &state.teach;
@@ -82,11 +83,21 @@ fn way(state: &State, draft: &Draft, text: &'static Text, act: &Callback<Action>
 
 /// What came of the last lesson when it was not learned, with the readings to choose from that fit what was shown.
 pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
-    let text = Text::of(shared.language);
     let fits = state.teach.offer.as_ref().map_or(&[][..], |offer| &offer.fits);
+    let notice = state.teach.notice.as_deref();
+    if fits.is_empty() && notice.is_none() {
+        Html::default()
+    } else {
+        refused(notice, fits, shared, act)
+    }
+}
+
+#[inline(never)] // It comes late: www/split.mjs.
+fn refused(told: Option<&str>, fits: &[Fit], shared: &Shared, act: &Callback<Action>) -> Html {
+    let text = Text::of(shared.language);
     html! {
         <>
-            { notice(state.teach.notice.as_deref(), "teach-notice") }
+            { notice(told, "teach-notice") }
             if !fits.is_empty() {
                 <p class="buttons">
                     { for fits.iter().enumerate().map(|(place, fit)| html! {
@@ -101,11 +112,13 @@ pub(super) fn not_taught(state: &State, shared: &Shared, act: &Callback<Action>)
 
 /// What was taught, and what the last lesson added to the lexicon.
 pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
+    if shared.document.lessons.is_empty() { Html::default() } else { taught(state, shared, act) }
+}
+
+#[inline(never)] // It comes late: www/split.mjs.
+fn taught(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let (lessons, teach) = (&shared.document.lessons, &state.teach);
-    if lessons.is_empty() {
-        return Html::default();
-    }
     let added = teach.report.as_ref().map_or(&[][..], |report| &report.added);
     html! {
         <section class="card" aria-labelledby="lessons-title" data-testid="lessons">
@@ -123,6 +136,9 @@ pub(super) fn lessons(state: &State, shared: &Shared, act: &Callback<Action>) ->
                                 onclick={sends(act, Action::AskExample(command.clone()))}>
                                 { &taught.lesson.command }
                             </button>
+                            if let Some(Meaning::Words(words)) = &taught.lesson.means {
+                                <span class="dim" lang="en" data-testid="lesson-means">{ words }</span>
+                            }
                             if !taught.understood { <span class="dim">{ text.not_understood }</span> }
                             <button type="button" class="link" data-testid="unteach"
                                 aria-label={(text.forget_lesson)(&taught.lesson.command)}

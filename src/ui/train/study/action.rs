@@ -93,13 +93,15 @@ pub enum Place {
     Welcome,
     Consent,
     Instructions,
+    /// What is said of the worked example, which is drawn.
+    Example,
     Thanks,
 }
 
 impl Place {
     /// All of them, in the order in which they are read.
-    pub const ALL: [Place; 4] =
-        [Place::Welcome, Place::Consent, Place::Instructions, Place::Thanks];
+    pub const ALL: [Place; 5] =
+        [Place::Welcome, Place::Consent, Place::Instructions, Place::Example, Place::Thanks];
 
     /// The name of its field.
     pub const fn id(self) -> &'static str {
@@ -107,6 +109,7 @@ impl Place {
             Place::Welcome => "study-welcome",
             Place::Consent => "study-consent",
             Place::Instructions => "study-instructions",
+            Place::Example => "study-example",
             Place::Thanks => "study-thanks",
         }
     }

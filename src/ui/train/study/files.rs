@@ -4,6 +4,7 @@ use super::action::Saved;
 use super::state::State;
 use super::words::Text;
 use crate::corpus::text_of;
+use crate::study::Study;
 use crate::ui::page::files::Offered;
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
@@ -34,19 +35,29 @@ pub(super) fn bring(state: &mut State, desk: &mut Desk, files: Vec<Offered>) {
     if all > 0 {
         let (done, before) = state.bringing.unwrap_or_default();
         state.bringing = Some((done, before + all));
-        ask(desk, StudyAsk::Review(None));
+        review(state, desk);
     }
 }
 
 /// Has the engine hold the answers, if there are any, against the study.
-pub(super) fn hold(state: &State, desk: &mut Desk) {
-    if let Some((study, _)) = state.study.as_ref().filter(|_| !state.log.is_empty()) {
-        let bytes = study.write().into_bytes();
-        ask(
-            desk,
-            StudyAsk::Review(Some(CorpusFile { name: study.name.clone(), bytes: bytes.into() })),
-        );
+pub(super) fn hold(state: &mut State, desk: &mut Desk) {
+    if !state.log.is_empty() {
+        review(state, desk);
     }
+}
+
+/// Has the engine merge all that was brought, and hold it against the study, where that is another than before.
+pub(super) fn review(state: &mut State, desk: &mut Desk) {
+    let is_new = |(_, fingerprint): &&(Box<Study>, String)| *fingerprint != state.held;
+    let study = state.study.as_ref().filter(is_new).map(|(study, fingerprint)| {
+        let bytes = study.write().into_bytes().into();
+        (CorpusFile { name: study.name.clone(), bytes }, fingerprint.clone())
+    });
+    let study = study.map(|(file, fingerprint)| {
+        state.held = fingerprint;
+        file
+    });
+    ask(desk, StudyAsk::Review(study));
 }
 
 /// Asks the engine something about answers.

@@ -1,6 +1,6 @@
 //! What the engine says of studies.
 
-use super::files::{ask, hold};
+use super::files::{hold, review};
 use super::state::State;
 use super::update::pack;
 use super::words::Text;
@@ -77,7 +77,7 @@ pub fn answered(
             let [answers, others, unfinished] = [answers, others, unfinished].map(|n| n as usize);
             state.survey = None;
             tell(state, desk, (text.converted)(answers, others, unfinished));
-            ask(desk, StudyAsk::Review(None));
+            review(state, desk);
         }
         StudySaid::Reviewed(review) => {
             state.review = *review;

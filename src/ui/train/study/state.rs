@@ -1,7 +1,7 @@
 //! The state of studies.
 
 use super::action::Place;
-use crate::study::file::{Again, Order, Words};
+use crate::study::file::{Again, Example, Order, Words};
 use crate::study::{Flag, Showing, Study, StudyError};
 use crate::worker::protocol::{AnswerLine, Reviewed, StudyAsk, SurveyMapping};
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,6 +27,8 @@ pub struct State {
     pub review: Reviewed,
     /// What the engine was asked of them: one that begins anew is asked all of it again.
     pub log: Vec<StudyAsk>,
+    /// The fingerprint of the study that the engine holds them against.
+    pub held: String,
     /// Files that could not be read.
     pub unreadable: Vec<String>,
     /// Another program's trials: how many, the paths of their values, and which value is what.
@@ -92,6 +94,7 @@ impl Default for State {
             in_file: 0,
             review: Reviewed::default(),
             log: Vec::new(),
+            held: String::new(),
             unreadable: Vec::new(),
             survey: None,
             judging: None,
@@ -156,7 +159,7 @@ impl Draft {
             consent: says(Place::Consent),
             instructions: says(Place::Instructions),
             thanks: says(Place::Thanks),
-            example: None,
+            example: says(Place::Example).map(|command| Example { shows: Vec::new(), command }),
         };
         study.hosts = self.hosts.split_whitespace().map(str::to_owned).collect();
         study.ends = serde_json::from_str(&self.ends).map_err(|error| error.to_string())?;

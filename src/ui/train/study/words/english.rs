@@ -27,6 +27,7 @@ pub(super) static ENGLISH: Text = Text {
         Place::Welcome => "Welcome (empty: the page’s own)",
         Place::Consent => "Consent (empty: the page’s own)",
         Place::Instructions => "Instructions (empty: the page’s own)",
+        Place::Example => "The example’s command (empty: the page’s own)",
         Place::Thanks => "Thanks (empty: the page’s own)",
     },
     order: "Order of the tasks",

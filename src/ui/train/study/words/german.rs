@@ -27,6 +27,7 @@ pub(super) static GERMAN: Text = Text {
         Place::Welcome => "Begrüßung (leer: die der Seite)",
         Place::Consent => "Einwilligung (leer: die der Seite)",
         Place::Instructions => "Anleitung (leer: die der Seite)",
+        Place::Example => "Der Auftrag des Beispiels (leer: der der Seite)",
         Place::Thanks => "Dank (leer: der der Seite)",
     },
     order: "Reihenfolge der Aufgaben",
