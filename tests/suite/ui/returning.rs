@@ -38,6 +38,8 @@ fn ended() -> (Bench, (Place, Vec<u8>), (Place, Vec<u8>)) {
     let id = posted(&mut bench, |request| *request == Request::Checkpoint);
     let end = Checkpoint { text: "the end".to_owned(), epoch: 15, example: 6 };
     let written = [bench.written("corpus"), bench.written("run")];
+    let items = written.iter().map(|(place, _)| item(&place.kind, &place.name));
+    bench.store(ask::News::List(items.collect()));
     written.iter().for_each(|(place, _)| bench.store(ask::News::Written(place.clone())));
     bench.hear(id, Event::Checkpoint(end));
     let [corpus, (place, _)] = written;

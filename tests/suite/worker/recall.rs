@@ -102,7 +102,7 @@ fn several_engines_make_of_the_rows_what_one_makes_of_them() {
     care(&mut engine, Request::Decide { rows: vec![1, 4, 7], verdict: Verdict::Put(Half::Aside) });
     let model = trained(&mut engine, learn(1)).model;
     let alone = seen(&mut sheet(), &model, Vec::new());
-    assert!(!alone.1.commands.is_empty() && !alone.1.unknown.is_empty(), "{:?}", alone.1);
+    assert!(!alone.1.commands.is_empty(), "{:?}", alone.1);
     let part = |part: u32| {
         let ask = Request::AskPart { model: model.clone(), part, of: 5 };
         match pump(&mut sheet(), 9, ask).pop() {
