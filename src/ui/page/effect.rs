@@ -38,6 +38,8 @@ pub enum Effect {
     Copy(String),
     /// Move the keyboard's focus to an element, and bring it into view.
     Focus(&'static str),
+    /// The same for an element that is typed into, where that brings no keyboard up on the screen.
+    FocusOnDesk(&'static str),
     /// Bring an element into view.
     Reveal(&'static str),
     /// Offer a text to the person as a file.

@@ -62,6 +62,8 @@ pub fn update(state: &mut State, shared: &mut Shared, action: Action) {
         Action::Ask => say(state, shared),
         Action::AskExample(command) => {
             state.command.input = command;
+            // What was pressed may be gone when there is an answer.
+            shared.want(Effect::FocusOnDesk("command"));
             say(state, shared);
         }
         Action::Recall(back) => recall::recall(state, shared, back),

@@ -17,6 +17,8 @@ flow('a visitor presses an example, and the robot does it', async (t) => {
   await t.check(steps > 4, `a plan of ${steps} steps`);
   await t.check(async () => /yellow block in the blue room/.test(await demo.world()), () => demo.world());
   await demo.says(/^Done in \d+ steps\. The robot is in/);
+  await t.equal(() => demo.by('done').textContent(), `Done in ${steps} steps.`, 'what was to be done is done');
+  await t.equal(() => demo.page.evaluate(() => document.activeElement.id), 'command', 'who presses on types on');
   await t.accessible('an example that was done');
 });
 

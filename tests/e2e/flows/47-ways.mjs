@@ -18,16 +18,17 @@ flow('a contrast taught and used', async (t) => {
   const demo = await openIn(t, RING);
   await demo.ask(SHUN);
   await t.check(async () => (await demo.why()).includes('unknown_words'), async () => `${await demo.why()}`);
-  await demo.planned();
-  await t.equal(() => demo.rooms(), ['green', 'red', 'blue'], 'what it would do');
+  await tell(demo, 'go to the blue room');
+  await t.equal(() => demo.rooms(), ['green', 'red', 'blue'], 'what it does');
   await demo.press('unlike-plan');
   await t.equal(() => demo.by('contrast').allTextContents(), ['Not like this: green room, red room and blue room'], 'what is not meant');
-  await t.equal(() => demo.by('lesson').inputValue(), SHUN, 'what was said');
+  await t.equal(() => demo.by('lesson').inputValue(), 'go to the blue room', 'what was said');
   await t.equal(async () => (await demo.robot()).room, 'green', 'where it was said');
   await demo.keys(...BY_YELLOW);
   await t.equal(async () => (await demo.robot()).room, 'blue', 'driven');
   await t.accessible('a way that is shown');
   await t.shot('ways');
+  await demo.by('lesson').fill(SHUN);
   await demo.press('teach');
   await demo.by('learned').waitFor();
   t.note((await demo.by('told').allTextContents()).join(' '));
@@ -56,7 +57,7 @@ flow('a contrast taught and used', async (t) => {
   const session = await demo.saved('save-session');
   const corpus = await demo.saved('save-lessons');
   const { runs } = JSON.parse(corpus);
-  await t.equal(() => [runs[0].actions, runs[0].contrast], ['eeeeeeennn', ['ennnneeee']], 'the lesson as a corpus');
+  await t.equal(() => [runs[0].actions, runs[0].contrast.map((way) => way.length)], ['eeeeeeennn', [9]], 'the lesson as a corpus');
 
   await demo.press('unteach');
   await t.until('nothing is taught', async () => (await demo.by('lessons').count()) === 0);

@@ -175,6 +175,12 @@ fn solvers_agree_where_actions_slip() {
         answers.iter().all(|answer| answer["rollouts"]["successes"].as_u64().unwrap() > 0),
         "{answers:?}"
     );
+    // What runs earn is what the values say: within twice what 95 % of samples leave open.
+    for (answer, value) in answers.iter().zip(&values) {
+        let runs = |name: &str| answer["rollouts"][name].as_f64().unwrap();
+        let off = (runs("mean_return") - value).abs();
+        assert!(off <= 2.0 * runs("return_margin") + 1e-9, "{answer}");
+    }
 }
 
 #[test]

@@ -118,6 +118,11 @@ impl Effects {
             }
             // The element may be in what is about to be drawn.
             Effect::Focus(id) => spawn_local(async move { host::focus(id) }),
+            Effect::FocusOnDesk(id) => spawn_local(async move {
+                if host::is_desk() {
+                    host::focus(id);
+                }
+            }),
             Effect::Save { name, text } => save(&name, &text)?,
             Effect::LoadWorkbench => self.bench.load(),
             Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),

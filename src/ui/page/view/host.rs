@@ -142,6 +142,11 @@ pub(crate) fn watch_preferences(changed: &Callback<Preferences>) {
     }
 }
 
+/// Whether the page is pointed at with a mouse, so that there is a keyboard beside it.
+pub(crate) fn is_desk() -> bool {
+    media("(pointer: fine)").is_some_and(|m| m.matches())
+}
+
 fn media(query: &str) -> Option<MediaQueryList> {
     web_sys::window().and_then(|w| w.match_media(query).ok()).flatten()
 }

@@ -61,6 +61,9 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             if let Some(reading) = state.heard_reading(shared).filter(|_| !asks) {
                 <p class="understood" data-testid="understood">
                     <span data-testid="plain">{ set_off(&text.intention(label, &reading.claim)) }</span>
+                    if let Some(playback) = state.watch.playback.as_ref().filter(|playback| !live && playback.ended()) {
+                        <span class="dim" data-testid="done">{ (text.done_in)(playback.steps()) }</span>
+                    }
                     if !live { { deeper(text, shared.depth, act) } }
                 </p>
             }

@@ -74,7 +74,7 @@ pub(super) static GERMAN: Text = Text {
         ),
         unknown_words: (
             |words| format!("Nie gesehen: {}.", quoted(words)),
-            "Nimm ein Wort, das ich kenne, oder zeig mir, was du meinst.",
+            "Ich verstehe Englisch. Nimm ein Wort, das ich kenne, oder zeig mir, was du meinst.",
         ),
         unknown_left_out: (
             |words| format!("Nie gesehen und ausgelassen: {}.", quoted(words)),
