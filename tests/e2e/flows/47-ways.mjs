@@ -57,7 +57,7 @@ flow('a contrast taught and used', async (t) => {
   const session = await demo.saved('save-session');
   const corpus = await demo.saved('save-lessons');
   const { runs } = JSON.parse(corpus);
-  await t.equal(() => [runs[0].actions, runs[0].contrast], ['eeeeeeennn', ['ennnneeee']], 'the lesson as a corpus');
+  await t.equal(() => [runs[0].actions, runs[0].contrast.map((way) => way.length)], ['eeeeeeennn', [9]], 'the lesson as a corpus');
 
   await demo.press('unteach');
   await t.until('nothing is taught', async () => (await demo.by('lessons').count()) === 0);
