@@ -2,7 +2,7 @@
 //! (with pairs, runs, or both; other keys are kept), or an object with the columns of batch results for names, as
 //! programs make of such a table. States are JSON, or JSON in a string.
 
-use super::admit::{Options, decision};
+use super::admit::{Options, decision, something};
 use super::cells::Cells;
 use super::draft::{Draft, Found, Place, Shown};
 use super::example::{Corpus, Decision, Example, Row};
@@ -10,7 +10,7 @@ use super::flaw::{Flaw, Wrong, cut_quoted, some};
 use super::items::{Item, Items};
 use super::limits::MAX_PAIRS;
 use super::mapping::{Mapping, States};
-use super::mturk::form_command;
+use super::mturk::{form_command, said};
 use super::role::{APPROVE, COMMAND, FORM, ID, POST, PRE, REASON, RUN, Role, STATUS, TASK, WORKER};
 use super::run::RunOut;
 use super::source::Source;
@@ -183,11 +183,11 @@ fn row(text: &str, line: u64, options: &Options) -> Found {
     let task = text(&mapping.task, ["task", TASK]);
     let worker = text(&mapping.worker, ["worker", WORKER]);
     (draft.id, draft.task, draft.worker) = (id, task, worker);
-    let said = field(&mapping.command, ["command", COMMAND]).filter(|(name, _)| *name != FORM);
+    let command = field(&mapping.command, ["command", COMMAND]).filter(|(name, _)| *name != FORM);
     let form = fields
         .get_key_value(FORM)
         .filter(|_| mapping.is_empty() || mapping.command.as_deref() == Some(FORM));
-    match (said, form.map(|(name, value)| (&**name, value.get()))) {
+    match (command, form.map(|(name, value)| (&**name, value.get()))) {
         (None, None) => {
             let known = some(fields.keys().map(|name| &**name));
             let what = format!("the row has no command (found: {known})");
@@ -196,7 +196,9 @@ fn row(text: &str, line: u64, options: &Options) -> Found {
         (None, Some((name, form))) => {
             draft.say(name, self::plain(form).and_then(|form| form_command(&form)));
         }
-        (Some((name, command)), _) => draft.say(name, self::plain(command)),
+        (Some((name, command)), _) => {
+            draft.say(name, self::plain(command).and_then(|command| said(&command)));
+        }
     }
     states(&fields, mapping, &mut draft);
     draft.keys = others(&fields, mapping);
@@ -220,10 +222,14 @@ pub(super) fn fields(text: &str) -> Option<Vec<(String, String)>> {
 /// The demonstrations of an object: its `pairs` and `runs`, or its columns.
 fn states(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) {
     let place = |column: String, value: &RawValue| Place { column, text: value.get().to_owned() };
-    let own = |key: &str| fields.get(key).filter(|_| mapping.pairs.is_empty());
+    let is_nothing = |value: &RawValue| plain(value.get()).is_ok_and(|it| something(&it).is_none());
+    let own = |key: &str| {
+        let own = fields.get(key).filter(|_| mapping.pairs.is_empty());
+        own.filter(|value| !is_nothing(value)).map(|value| unquoted(value))
+    };
     let mut shown = Vec::new();
     let (pairs, runs) = (own("pairs"), own("runs"));
-    if let Some(pairs) = pairs {
+    if let Some(pairs) = &pairs {
         let Some(pairs) = list::<Fields<'_>>(draft, ("pairs", "pre and post"), pairs) else {
             return;
         };
@@ -239,7 +245,7 @@ fn states(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) {
             }
         }
     }
-    if let Some(runs) = runs {
+    if let Some(runs) = &runs {
         let Some(runs) = list::<&RawValue>(draft, ("runs", "start and actions"), runs) else {
             return;
         };
@@ -252,13 +258,19 @@ fn states(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) {
     draft.show(shown);
 }
 
+/// The JSON that a value is, or that stands in it where it is a string.
+fn unquoted(value: &RawValue) -> Cow<'_, str> {
+    let inner = value.get().starts_with('"').then(|| serde_json::from_str(value.get()));
+    inner.and_then(Result::ok).map_or(Cow::Borrowed(value.get()), Cow::Owned)
+}
+
 /// A list under a key, of 1 to [`MAX_PAIRS`] objects that have what is named.
 fn list<'a, T: Deserialize<'a>>(
     draft: &mut Draft,
     (key, of): (&str, &str),
-    list: &'a RawValue,
+    list: &'a str,
 ) -> Option<Vec<T>> {
-    let wrong = match serde_json::from_str::<Vec<T>>(list.get()) {
+    let wrong = match serde_json::from_str::<Vec<T>>(list) {
         Ok(list) if (1..=MAX_PAIRS).contains(&list.len()) => return Some(list),
         Ok(_) => Wrong::from(format!("a row needs 1 to {MAX_PAIRS} {key} of {of}")),
         Err(_) => {

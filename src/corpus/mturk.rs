@@ -59,6 +59,9 @@ impl<R: Read> Reader<R> {
                 self.head = [self.records.said(), &record.raw].concat();
                 Ok(Found::Nothing)
             }
+            (Step::Record(record), Some(header)) if is_header(header, &record) => {
+                again(header, &record).map(|()| Found::Nothing)
+            }
             (Step::Record(mut record), Some(header)) => {
                 if let Some(flaw) = misshapen(header, &record) {
                     if record.lines > 1 {
@@ -103,8 +106,46 @@ fn header(record: &Record, mapping: &Mapping) -> Result<Header, Flaw> {
         );
         return Err(of_header(wrong));
     }
-    let columns = record.cells.iter().map(|name| name.trim().to_owned()).collect();
-    Header::new(columns, mapping).map_err(of_header)
+    Header::new(names(record).map(str::to_owned).collect(), mapping).map_err(of_header)
+}
+
+/// The cells of a record as names of columns. Another file's mark may stand before the first, and before its quotes.
+fn names(record: &Record) -> impl Iterator<Item = &str> {
+    record.cells.iter().map(|name| match name.strip_prefix('\u{feff}') {
+        Some(first) => first.trim_matches('"').trim(),
+        None => name.trim(),
+    })
+}
+
+/// Whether a record is a header and no row: it names a column of states, where a state would stand.
+fn is_header(header: &Header, record: &Record) -> bool {
+    let pre = header.pairs.first().map(|(pre, _)| *pre);
+    let first = pre.or(header.runs.first().copied()).map(|at| header.name(at));
+    first.is_some_and(|first| names(record).any(|name| name == first))
+}
+
+/// Two files in one: the second begins with the header again, which is no row. With other columns it is another table.
+fn again(header: &Header, record: &Record) -> Result<(), Flaw> {
+    let named = |name: &&str| !name.is_empty();
+    let first: Vec<&str> = header.columns.iter().map(String::as_str).filter(named).collect();
+    let second: Vec<&str> = names(record).filter(named).collect();
+    if first == second {
+        return Ok(());
+    }
+    let (more, lacks) = (beyond(&second, &first), beyond(&first, &second));
+    let how = match (more.is_empty(), lacks.is_empty()) {
+        (true, true) => "in another order".to_owned(),
+        (false, _) => format!("with other columns: {more}"),
+        (true, false) => format!("without {lacks}"),
+    };
+    let (line, what) = (record.line, format!("a header stands here again, {how}"));
+    let mend = "split the file before this line, and give both parts";
+    Err(Flaw { line, ..Flaw::of_file(Wrong::with_mend(what, mend)) })
+}
+
+/// The names that the others do not have.
+fn beyond(names: &[&str], others: &[&str]) -> String {
+    some(names.iter().copied().filter(|name| !others.contains(name)))
 }
 
 /// What a record says.
@@ -201,13 +242,25 @@ fn command<'a>(header: &'a Header, record: &Record) -> (&'a str, Result<String, 
     let text = |at: Option<usize>| record.cells.get(at?).and_then(something);
     let name = |at: Option<usize>| at.map_or(COMMAND, |at| header.name(at));
     match (text(header.command), text(header.form)) {
-        (Some(command), _) => (name(header.command), Ok(unguarded(command).to_owned())),
+        (Some(command), _) => (name(header.command), said(unguarded(command))),
         (None, Some(form)) => (name(header.form), form_command(form)),
         (None, None) => (name(header.command.or(header.form)), Ok(String::new())),
     }
 }
 
-/// The command in the JSON that crowd-html forms answer with: `[{"command": "…"}]`.
+/// The command that a text is. Where it is JSON (a form's answers, or a text in quotes), it is what that holds.
+pub(super) fn said(text: &str) -> Result<String, Wrong> {
+    use serde_json::Value;
+    let may_be = text.starts_with(['{', '[', '"']);
+    match may_be.then(|| serde_json::from_str(text)) {
+        Some(Ok(Value::Object(fields))) if fields.is_empty() => Ok(text.to_owned()),
+        Some(Ok(Value::Array(forms))) if forms.is_empty() => Ok(text.to_owned()),
+        Some(Ok(_)) => form_command(text),
+        _ => Ok(text.to_owned()),
+    }
+}
+
+/// The command in the JSON that crowd-html forms answer with: `[{"command": "…"}]`; or a single text.
 pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
     use serde_json::Value;
     let answers: Value = json(text)?;
@@ -219,7 +272,7 @@ pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
     // An answer that is no text is none: null, most of all.
     let named = fields().find(|(name, _)| *name == "command");
     let named = named.map(|(_, value)| value.as_str().unwrap_or_default());
-    let mut texts = fields().filter_map(|(_, value)| value.as_str());
+    let mut texts = fields().map(|(_, value)| value).chain(forms).filter_map(Value::as_str);
     match (named, texts.next(), texts.next()) {
         (Some(command), ..) | (None, Some(command), None) => Ok(command.trim().to_owned()),
         _ => {

@@ -96,7 +96,7 @@ impl Idioms {
         let (next, explained) = numbers.split_first()?;
         (self.next, self.explained) = (*next, explained.to_vec());
         let fits = self.explained.len() <= commands
-            && (self.next == 0 || self.explained.len() == commands && self.next < commands)
+            && (self.next == 0 || self.explained.len() == commands && self.next <= commands)
             && self.found.iter().all(|(at, _)| *at < commands);
         if self.next > 0 {
             self.rank(terms);

@@ -26,6 +26,7 @@ pub mod reliability;
 pub mod evaluate;
 pub mod calibrate;
 pub mod sheet;
+pub mod asking;
 pub mod audit;
 pub mod inspect;
 pub mod experiment;

@@ -88,6 +88,12 @@ impl Learner {
                 let model = without(&self.model()?, &places);
                 Event::Trained(report(&model, model.print()))
             }
+            Request::KeepModel { text } => {
+                let model = Model::read(&text)
+                    .map_err(|error| format!("The model cannot be read: {error}."))?;
+                self.given = Some(model);
+                Event::Heard
+            }
             Request::Compare { first, second } => {
                 let [first, second] =
                     [(first, "first"), (second, "second")].map(|(text, which)| {
@@ -102,11 +108,12 @@ impl Learner {
         })
     }
 
-    /// The model that was audited, or else trained last.
+    /// The model that was audited, or else trained last, or else given.
     fn model(&self) -> Result<Model, String> {
         let audited = self.audit.as_ref().map(|audit| audit.model().clone());
         let trained = || self.training.as_ref().and_then(|training| training.model());
-        Ok(audited.or_else(trained).ok_or("There is no model yet: train one, or open one.")?)
+        let model = audited.or_else(trained).or_else(|| self.given.clone());
+        Ok(model.ok_or("There is no model yet: train one, or open one.")?)
     }
 
     fn entries(&mut self, view: &EntryView, offset: u32, count: u32) -> Result<Event, String> {

@@ -13,10 +13,12 @@ use super::study;
 use super::teaching::teach;
 use super::training::Training;
 use crate::ccg::Model;
-use crate::learn::audit::{Audit, Judged};
+use crate::corpus::Example;
+use crate::learn::asking::{Answered, Asking};
+use crate::learn::audit::Audit;
 use crate::learn::experiment::Selection;
 use crate::learn::fingerprint::fingerprint;
-use crate::learn::sheet::{Half, Sheet, Source};
+use crate::learn::sheet::{Half, Sheet, Source, decided};
 use crate::learn::{Config, Trainer};
 
 /// What the learner keeps.
@@ -29,6 +31,8 @@ pub struct Learner {
     pub(super) training: Option<Training>,
     /// The model that was asked about the rows.
     pub(super) audit: Option<Audit>,
+    /// A model that was given for what it knows.
+    pub(super) given: Option<Model>,
     /// Answers to a study.
     pub(super) review: Reviewing,
     /// Whether it is the run that is at work.
@@ -39,11 +43,15 @@ impl Role for Learner {
     const PROGRAM: Program = Program::Learner;
 
     fn begin(&mut self, request: Request) -> Result<Job<Learner>, String> {
-        self.is_training = matches!(request, Request::Learn { .. });
+        self.is_training = matches!(request, Request::Learn { .. } | Request::Recall { .. });
         match request {
             Request::OpenSheet { files, with_rejected } => Ok(open_sheet(files, with_rejected)),
             Request::Learn { settings, resume } => self.learn(&settings, resume.as_deref()),
-            Request::Audit { model, rules } => self.audit(model.as_deref(), rules),
+            Request::Recall { settings, decisions, checkpoint } => {
+                self.recall(&settings, &decisions, &checkpoint)
+            }
+            Request::Audit { model, rules, known } => self.audit(model.as_deref(), rules, known),
+            Request::AskPart { model, part, of } => ask_part(&self.sheet, &model, part, of),
             Request::RunShard { plan, runs } => shard::run(&self.sheet, &plan, runs),
             Request::Study(StudyAsk::Make { study, tasks, pairs, has_ways, checks }) => {
                 study::make(study::Wanted { study, tasks, pairs, has_ways, checks })
@@ -52,7 +60,7 @@ impl Role for Learner {
             Request::Teach { model, examples } => teach(&model, examples),
             Request::Demonstrate { command, state, settings } => {
                 let config = self.config(&settings)?;
-                let (seed, corpus) = (settings.seed_model()?, self.selection(Half::Train));
+                let (seed, corpus) = (settings.seed_model()?, selection(&self.sheet, Half::Train));
                 let mut work = Demonstrating::new(command, state, (seed, corpus, config));
                 Ok(Box::new(move |_| work.step()))
             }
@@ -88,29 +96,47 @@ impl Learner {
 
     fn learn(&mut self, settings: &Settings, resume: Option<&str>) -> Result<Job<Learner>, String> {
         let config = self.config(settings)?;
-        let train = self.selection(Half::Train).examples();
+        let train = selection(&self.sheet, Half::Train).examples();
         let trainer = match resume {
             None => Trainer::new(settings.seed_model()?, &train, config),
-            Some(text) => {
-                let model = Model::read(text)
-                    .map_err(|error| format!("The checkpoint cannot be read: {error}."))?;
-                Trainer::resume(model, &train, config)
-                    .map_err(|error| format!("The run cannot go on: {error}."))?
-            }
+            Some(text) => resumed(text, &train, config)?,
         };
-        let held_out = self.selection(Half::HeldOut).examples();
-        self.training = Some(Training::new(trainer, held_out));
-        Ok(Box::new(|learner| match &mut learner.training {
-            Some(training) => training.step(),
-            None => Step::Over(Event::Cancelled),
-        }))
+        let held_out = selection(&self.sheet, Half::HeldOut).examples();
+        Ok(self.train(Training::new(trainer, held_out)))
     }
 
-    fn audit(&mut self, model: Option<&str>, rules: Rules) -> Result<Job<Learner>, String> {
+    /// A run that is over, on the rows that it learned from: those of the sheet may be others by now.
+    fn recall(
+        &mut self,
+        settings: &Settings,
+        decisions: &str,
+        checkpoint: &str,
+    ) -> Result<Job<Learner>, String> {
+        let mut sheet = self.sheet.clone();
+        decided::take(&mut sheet, decisions)
+            .map_err(|wrong| format!("The decisions cannot be read: {wrong}."))?;
+        let train = selection(&sheet, Half::Train).examples();
+        let trainer = resumed(checkpoint, &train, settings.config()?)?;
+        Ok(self.train(Training::new(trainer, Vec::new())))
+    }
+
+    /// Has a run be at work.
+    fn train(&mut self, training: Training) -> Job<Learner> {
+        self.training = Some(training);
+        Box::new(|learner| match &mut learner.training {
+            Some(training) => training.step(),
+            None => Step::Over(Event::Cancelled),
+        })
+    }
+
+    fn audit(
+        &mut self,
+        model: Option<&str>,
+        rules: Rules,
+        known: Vec<Answered>,
+    ) -> Result<Job<Learner>, String> {
         let model = match model {
-            Some(text) => {
-                Model::read(text).map_err(|error| format!("The model cannot be read: {error}."))?
-            }
+            Some(text) => read(text)?,
             None => {
                 let trained = self.training.as_ref().and_then(Training::model);
                 let known = || self.audit.as_ref().map(|audit| audit.model().clone());
@@ -119,7 +145,7 @@ impl Learner {
         };
         let examples = self.sheet.examples().clone();
         self.sheet.forget_outcomes();
-        self.audit = Some(Audit::new(model, examples));
+        self.audit = Some(Audit::new(model, examples, known));
         Ok(Box::new(move |learner| {
             let Learner { audit: Some(audit), sheet, .. } = learner else {
                 return Step::Over(Event::Cancelled);
@@ -128,23 +154,15 @@ impl Learner {
                 sheet.mark(rules);
                 return Step::Over(Event::Care(sheet.care(None)));
             }
-            let judged = audit.step();
-            for Judged { row, outcome, form } in &judged {
-                sheet.judged(*row, *outcome, form.as_deref());
+            let Some(Answered { rows, form, .. }) = audit.step() else {
+                return Step::Working(None);
+            };
+            for (row, outcome) in rows {
+                sheet.judged(row, outcome, form.as_deref());
             }
             let (done, of) = audit.progress();
-            let event = Event::Auditing { done: done as u32, of: of as u32 };
-            Step::Working((!judged.is_empty()).then_some(event))
+            Step::Working(Some(Event::Auditing { done: done as u32, of: of as u32 }))
         }))
-    }
-
-    /// The rows of a half that are used.
-    fn selection(&self, half: Half) -> Selection {
-        let (corpus, rows) = (self.sheet.examples(), self.sheet.rows_in(half));
-        match rows.len() == corpus.len() {
-            true => Selection::all(corpus),
-            false => Selection::of(corpus, rows),
-        }
     }
 
     /// The settings of a run on the corpus that is kept, or why there can be none.
@@ -152,11 +170,47 @@ impl Learner {
         if self.sheet.is_empty() {
             return Err("There is nothing to learn from: load a corpus first.".to_owned());
         }
-        if self.selection(Half::Train).is_empty() {
+        if selection(&self.sheet, Half::Train).is_empty() {
             return Err("There is nothing to learn from: no row is used.".to_owned());
         }
         settings.config()
     }
+}
+
+/// The rows of a half that are used.
+fn selection(sheet: &Sheet, half: Half) -> Selection {
+    let (corpus, rows) = (sheet.examples(), sheet.rows_in(half));
+    match rows.len() == corpus.len() {
+        true => Selection::all(corpus),
+        false => Selection::of(corpus, rows),
+    }
+}
+
+fn read(model: &str) -> Result<Model, String> {
+    Model::read(model).map_err(|error| format!("The model cannot be read: {error}."))
+}
+
+/// A model is asked a part of the commands of a sheet.
+fn ask_part(sheet: &Sheet, model: &str, part: u32, of: u32) -> Result<Job<Learner>, String> {
+    let mut asking = Asking::new(read(model)?, sheet.examples().clone());
+    asking.retain(|at| at % of.max(1) == part);
+    let (mut commands, mut done, of) = (Vec::new(), 0, asking.n_rows() as u32);
+    Ok(Box::new(move |_| {
+        if asking.is_over() {
+            return Step::Over(Event::Answered { commands: std::mem::take(&mut commands) });
+        }
+        let Some(answered) = asking.step() else { return Step::Working(None) };
+        done += answered.rows.len() as u32;
+        commands.push(answered);
+        Step::Working(Some(Event::Auditing { done, of }))
+    }))
+}
+
+/// A run that goes on from a checkpoint.
+fn resumed(checkpoint: &str, train: &[Example], config: Config) -> Result<Trainer, String> {
+    let model = Model::read(checkpoint)
+        .map_err(|error| format!("The checkpoint cannot be read: {error}."))?;
+    Trainer::resume(model, train, config).map_err(|error| format!("The run cannot go on: {error}."))
 }
 
 fn open_sheet(files: Vec<MappedFile>, with_rejected: bool) -> Job<Learner> {

@@ -24,6 +24,8 @@ pub(super) struct Training {
     at: Option<Progress>,
     /// The model that the run ended with, and the commands that its entries came from.
     ended: Option<(Model, Vec<String>)>,
+    /// Where it ended.
+    end: Option<Checkpoint>,
 }
 
 /// A model that is judged between two epochs.
@@ -37,9 +39,10 @@ struct Judging {
 
 impl Training {
     pub(super) fn new(trainer: Trainer, held_out: Vec<Example>) -> Training {
-        let (judging, said, ended) = (None, VecDeque::new(), None);
+        let (judging, said) = (None, VecDeque::new());
         let at = Some(trainer.progress());
-        Training { trainer: Some(trainer), held_out, judging, said, at, ended }
+        let trainer = Some(trainer);
+        Training { trainer, held_out, judging, said, at, ended: None, end: None }
     }
 
     /// Does a bounded part.
@@ -100,6 +103,7 @@ impl Training {
     /// The run is over: its model is judged, if there is something to judge it on, and told.
     fn end(&mut self) -> Step {
         if let Some(trainer) = self.trainer.take() {
+            self.end = Some(self.checkpoint_of(&trainer));
             let (origins, passes) = (trainer.origins(), trainer.config().passes());
             let model = trainer.end();
             if self.held_out.is_empty() {
@@ -132,22 +136,28 @@ impl Training {
         self.trainer.as_ref()?.look()
     }
 
-    /// Goes on to the end of the command at work, of which progress is told later; nothing once the run is over.
-    fn between(&mut self) -> Option<&Trainer> {
-        while !self.trainer.as_ref()?.is_between() {
-            if let Some(done) = self.trainer.as_mut()?.step() {
+    /// Goes on to the end of the command at work, of which progress is told later.
+    fn between(&mut self) {
+        while let Some(trainer) = self.trainer.as_mut().filter(|trainer| !trainer.is_between()) {
+            if let Some(done) = trainer.step() {
                 let event = self.progressed(done);
                 self.said.push_back(event);
             }
         }
-        self.trainer.as_ref()
     }
 
-    /// A checkpoint of it.
+    /// A checkpoint of it, or of its end.
     pub(super) fn checkpoint(&mut self) -> Option<Checkpoint> {
-        let text = self.between()?.checkpoint();
+        self.between();
+        self.trainer
+            .as_ref()
+            .map(|trainer| self.checkpoint_of(trainer))
+            .or_else(|| self.end.clone())
+    }
+
+    fn checkpoint_of(&self, trainer: &Trainer) -> Checkpoint {
         let (epoch, example) = self.at.map_or((1, 0), |at| (at.epoch, at.example));
-        Some(Checkpoint { text, epoch, example })
+        Checkpoint { text: trainer.checkpoint(), epoch, example }
     }
 
     /// The model so far, or the one that the run ended with.

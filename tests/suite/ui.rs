@@ -28,6 +28,8 @@ mod teach;
 mod text;
 #[path = "ui/bench.rs"]
 mod bench;
+#[path = "ui/returning.rs"]
+mod returning;
 #[path = "ui/shelf.rs"]
 mod shelf;
 #[path = "ui/studies.rs"]

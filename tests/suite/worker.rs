@@ -18,6 +18,8 @@ mod messages;
 mod plans;
 #[path = "worker/readings.rs"]
 mod readings;
+#[path = "worker/recall.rs"]
+mod recall;
 #[path = "worker/resting.rs"]
 mod resting;
 #[path = "worker/shards.rs"]

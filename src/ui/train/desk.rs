@@ -66,6 +66,11 @@ impl Desk {
         self.learner.is_at(|request| matches!(request, Request::Learn { .. }))
     }
 
+    /// Whether it asks a model about all rows, or will as soon as it can.
+    pub fn is_auditing(&self) -> bool {
+        self.learner.is_at(|request| matches!(request, Request::Audit { .. }))
+    }
+
     /// Asks the engine to stop what it is doing.
     pub fn cancel(&mut self) {
         self.learner.cancel(&mut self.wanted);

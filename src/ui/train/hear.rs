@@ -16,7 +16,12 @@ pub(super) fn told(state: &mut State, news: Option<News>) {
         )) => run::hear::progressed(run, desk, event),
         Some(News::Progress(Event::Study(said))) => study::hear::progressed(study, &said),
         Some(News::Progress(event)) => data::hear::progressed(data, &event),
-        Some(News::Answer(Request::Learn { .. }, event)) => run::hear::ended(run, desk, event),
+        Some(News::Answer(Request::Learn { .. }, event)) => {
+            run::hear::ended(run, desk, event);
+            state.kept.came_back = None;
+            learned(state);
+        }
+        Some(News::Answer(Request::Recall { .. }, _)) => learned(state),
         Some(News::Answer(Request::Look | Request::Checkpoint | Request::ModelSoFar, event)) => {
             run::hear::answered(run, desk, event)
         }
@@ -39,6 +44,7 @@ pub(super) fn told(state: &mut State, news: Option<News>) {
             request @ (Request::Entries { .. }
             | Request::Errors
             | Request::Without { .. }
+            | Request::KeepModel { .. }
             | Request::Compare { .. }),
             event,
         )) => lexicon::hear::answered(lexicon, desk, &request, event),
@@ -57,5 +63,12 @@ pub(super) fn told(state: &mut State, news: Option<News>) {
             }
         }
         None => {}
+    }
+}
+
+/// The engine knows something else by now: what was learned is looked at anew, if it is to be seen.
+fn learned(State { desk, lexicon, tab, .. }: &mut State) {
+    if *tab == Tab::Lexicon {
+        lexicon::update::update(lexicon, desk, lexicon::Action::Shown);
     }
 }

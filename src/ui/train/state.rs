@@ -36,6 +36,7 @@ impl State {
         experiments::share::Ground {
             files: sheet.map_or_else(|| Rc::from([]), |sheet| sheet.files.clone()),
             with_rejected: sheet.is_some_and(|sheet| sheet.with_rejected),
+            rows: sheet.map_or(0, |sheet| sheet.care.rows),
             held_out: self.data.held_out(),
             settings: self.run.settings(self.data.lexicon()),
             six: data::demo::file(),

@@ -10,6 +10,7 @@ use super::sheet::{Checkpoint, Joined, RowReading, SheetReport};
 use super::study::StudySaid;
 use crate::corpus::Preview;
 use crate::domain::State;
+use crate::learn::asking::Answered;
 use crate::learn::audit::Errors;
 use crate::learn::inspect::{Difference, EntryWindow};
 use crate::learn::look::Look;
@@ -116,6 +117,11 @@ pub enum Event {
         /// Rows in all.
         of: u32,
     },
+    /// What a model makes of a part of the commands.
+    Answered {
+        /// The commands of the part.
+        commands: Vec<Answered>,
+    },
     /// Where a model errs.
     Errors(Box<Errors>),
     /// A file to save.
@@ -153,7 +159,7 @@ pub enum Event {
     Joined(Box<Joined>),
     /// A run that can go on from here.
     Checkpoint(Checkpoint),
-    /// A request that says how fast to go was heard.
+    /// A request that needs no other answer was heard.
     Heard,
     /// What this request began rests.
     Paused,

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// The protocol's version; both sides refuse any other.
-pub const VERSION: u32 = 12;
+pub const VERSION: u32 = 13;
 
 /// One message: a request and every event that answers it carry the same `id`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

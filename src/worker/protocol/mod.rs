@@ -38,6 +38,7 @@ pub use crate::ccg::closed::Kind as Closed;
 pub use crate::ccg::{EntryText, Explanation, Kind as FeatureKind, Part};
 pub use crate::corpus::{Decision, Mapping, Preview, States};
 pub use crate::ground::{Article, Claim, Description, Noun, Shade};
+pub use crate::learn::asking::Answered;
 pub use crate::learn::audit::{Errors, Rows};
 pub use crate::learn::experiment::By;
 pub use crate::learn::inspect::{Difference, EntryLine, EntrySort, EntryView, EntryWindow};

@@ -7,6 +7,7 @@ use super::sheet::{Form, MappedFile, Split};
 use super::study::StudyAsk;
 use crate::domain::{Blueprint, State};
 use crate::learn::Settings;
+use crate::learn::asking::Answered;
 use crate::learn::inspect::EntryView;
 use crate::learn::runs::Matrix;
 use crate::learn::sheet::{Rules, Verdict, View};
@@ -230,6 +231,18 @@ pub enum Request {
         model: Option<String>,
         /// How strict.
         rules: Rules,
+        /// What other engines have found of commands: these are not asked again.
+        known: Vec<Answered>,
+    },
+    /// Asks a model a part of the commands of the sheet, for an engine that has the same rows →
+    /// [`Event::Auditing`](super::Event::Auditing) now and then, then [`Event::Answered`](super::Event::Answered).
+    AskPart {
+        /// The model file's text.
+        model: String,
+        /// The number of the part, from 0.
+        part: u32,
+        /// How many parts there are.
+        of: u32,
     },
     /// Where the model that was audited errs, as far as it is → [`Event::Errors`](super::Event::Errors).
     Errors,
@@ -253,9 +266,19 @@ pub enum Request {
         /// A checkpoint of a run with the same settings and rows to go on from.
         resume: Option<String>,
     },
+    /// Takes a run that is over up again, on the rows that it learned from, for what it learned; it is not judged again →
+    /// [`Event::Trained`](super::Event::Trained).
+    Recall {
+        /// Its settings.
+        settings: Box<Settings>,
+        /// What was decided of the rows when it began.
+        decisions: String,
+        /// Its last checkpoint.
+        checkpoint: String,
+    },
     /// What was learned last → [`Event::Look`](super::Event::Look).
     Look,
-    /// A checkpoint of the run at work, or of one that was stopped → [`Event::Checkpoint`](super::Event::Checkpoint).
+    /// A checkpoint of the run at work, of one that was stopped, or of the end of one that is over → [`Event::Checkpoint`](super::Event::Checkpoint).
     Checkpoint,
     /// The model as the run at work, or one that was stopped, has it so far → [`Event::Trained`](super::Event::Trained).
     ModelSoFar,
@@ -301,6 +324,11 @@ pub enum Request {
         plan: String,
         /// What the shards handed back, in any order.
         shards: Vec<String>,
+    },
+    /// Keeps a model for the requests about its lexicon, as long as none is audited or trained → [`Event::Heard`](super::Event::Heard).
+    KeepModel {
+        /// The model file's text.
+        text: String,
     },
     /// What is at work rests as soon as it can → [`Event::Heard`](super::Event::Heard), then [`Event::Paused`](super::Event::Paused) of what rests.
     Pause,
@@ -373,6 +401,7 @@ impl Request {
                 | Request::Entries { .. }
                 | Request::Without { .. }
                 | Request::Compare { .. }
+                | Request::KeepModel { .. }
         )
     }
 }

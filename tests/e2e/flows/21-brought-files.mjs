@@ -47,6 +47,7 @@ flow('files of other programs are read as the command line reads them', async (t
     ['r.csv', NA, { examples: 3, rejected: 0, left: 0 }, /^3 commands\. /],
     ['latin.csv', LATIN, { examples: 2, rejected: 0, left: 1 }, /^2 commands, 1 bad row left out, 1 problem\b/],
     ['mark.csv', `\ufeff${csv(...rows.slice(1))}`, { examples: 6, rejected: 0, left: 0 }, /^6 commands\. /],
+    ['twice.csv', csv(...rows.slice(1, 4)) + csv(...rows.slice(4)), { examples: 6, rejected: 0, left: 0 }, /^6 commands\. /],
     ['utf-16.txt', Buffer.from(`\ufeff${csv(...rows.slice(1))}`, 'utf16le'), { examples: 6, rejected: 0, left: 0 }, /^6 /],
   ]) {
     const found = await both(t, demo, name, content);

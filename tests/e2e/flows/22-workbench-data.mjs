@@ -145,3 +145,44 @@ flow('the robot\'s model is asked about every row', async (t) => {
   await t.fits('judged rows');
   await t.shot('bench-judged');
 });
+
+flow('the bad rows are a file that is mended and dropped again', async (t) => {
+  const demo = await openTrain(t);
+  // The state before is cut off, in a row between two good ones.
+  const broken = rows[2].replace(/"{""agent""/, '"{""agen');
+  await demo.choose('mine.csv', csv(rows[1], broken, rows[3]));
+  await t.check(async () => /1 bad row left out/.test(await demo.by('corpus-count').textContent()), 'a row is left out');
+  await t.check(async () => /line 3[^]*Input\.pre_1/i.test(await demo.by('problems').textContent()), 'with line and column');
+  const bad = await demo.saved('save-bad-rows');
+  await t.equal(bad.trimEnd().split(/\r?\n/).length, 2, 'the header and the bad row');
+  const mended = bad.replace('"{""agen', '"{""agent""');
+  await demo.dropAll([['mine.csv', csv(rows[1], broken, rows[3])], ['mended.csv', mended]]);
+  await t.equal(() => demo.corpus(), { name: 'mine.csv, mended.csv', rows: 3 }, 'the good rows and the one that was mended');
+});
+
+flow('rows are told apart by worker, status, part and what the model makes of them', async (t) => {
+  const demo = await openTrain(t);
+  await demo.choose('people.jsonl', said('go to the red room', 'red', 'ann') + said('go to the green room', 'red', 'ben')
+    + said('flumph', 'odd', 'ben'));
+  await t.until('the file is open', async () => (await demo.corpus()).name === 'people.jsonl');
+  const seen = (count) => t.check(async () => new RegExp(`${count} of 3`).test(await demo.by('rows-seen').textContent()),
+    async () => `${count} of 3: ${await demo.by('rows-seen').textContent()}`);
+  const choose = (filter, label) => demo.by(filter).selectOption({ label });
+  await choose('filter-worker', 'ben (2)');
+  await seen(2);
+  await demo.press('show-all');
+  await demo.page.locator('#row-1').getByRole('checkbox').check();
+  await demo.press('reject');
+  await choose('filter-status', 'rejected (1)');
+  await seen(1);
+  await demo.press('show-all');
+  await demo.press('pick-none');
+  await demo.press('audit');
+  await demo.says(/Every row is judged/);
+  await demo.by('filter-outcome').selectOption({ index: 1 });
+  await seen(1);
+  await demo.press('show-all');
+  await demo.press('sort-command');
+  await t.check(async () => /flumph/.test(await demo.by('row').first().textContent()), 'sorted by command');
+  await t.accessible('rows that are told apart');
+});

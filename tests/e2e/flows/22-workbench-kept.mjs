@@ -56,6 +56,7 @@ flow('a run goes on after a reload and after a closed tab, to the same bytes', {
   await second.part('run');
   await t.until('it has trained', async () =>
     (await second.by('trained').count()) > 0 && /trained here on mine\.csv/.test(await second.by('trained').textContent()), 200);
+  await t.equal(() => second.by('run-came-back').count(), 0, 'that it goes on is not told once it is over');
   const model = await second.model();
   const folder = await mkdtemp(path.join(os.tmpdir(), 'groundling-'));
   try {
@@ -118,7 +119,9 @@ flow('corpora and models are kept under a name, opened again, saved and deleted'
   await t.shot('bench-kept');
   await demo.page.reload();
   await demo.by('row').first().waitFor();
-  await t.equal(async () => (await demo.corpus()).name, 'six.csv', 'what is open after a reload');
+  await t.until('what was trained on is open after a reload', async () => (await demo.corpus()).name === 'mine.csv');
+  await demo.press('open-demo');
+  await t.until('the six are open', async () => (await demo.corpus()).name === 'six.csv');
   await demo.part('kept');
   const of = (name) => demo.page.locator('[data-testid="shelf-item"]', { hasText: name });
   await of('three of six').getByTestId('shelf-open').click();

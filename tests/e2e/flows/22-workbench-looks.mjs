@@ -27,6 +27,7 @@ for (const [name, viewport, colorScheme] of LOOKS) {
     await demo.press('split-share');
     await t.check(async () => /held out/.test(await demo.by('corpus-count').textContent()), 'a share is held out');
     await look('kept');
+    await look('study');
     await look('experiments');
     await demo.part('run');
     await demo.by('setting-epochs').fill('6');

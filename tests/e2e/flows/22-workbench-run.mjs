@@ -83,9 +83,32 @@ flow('an engine that is killed while it learns goes on where it was', async (t) 
   await demo.press('stop');
 });
 
+flow('training goes on while another tab is to be seen', async (t) => {
+  const demo = await long(t);
+  await demo.by('setting-epochs').fill('1000');
+  await demo.by('setting-epochs').blur();
+  await demo.press('train');
+  await demo.by('progress').waitFor();
+  const other = await t.context.newPage();
+  await other.bringToFront();
+  await demo.page.evaluate(() => {
+    Object.defineProperty(document, 'hidden', { configurable: true, get: () => true });
+    Object.defineProperty(document, 'visibilityState', { configurable: true, get: () => 'hidden' });
+    document.dispatchEvent(new Event('visibilitychange'));
+  });
+  const at = await demo.by('progress').textContent();
+  await t.until('it goes on', async () => (await demo.by('progress').textContent()) !== at);
+  await demo.page.bringToFront();
+  await other.close();
+  await demo.press('stop');
+});
+
 flow('the workbench on a phone, in the dark and in German', { viewport: { width: 390, height: 844 }, colorScheme: 'dark', locale: 'de-DE' }, async (t) => {
   const demo = await openTrain(t);
   await t.fits('the corpus on a phone');
+  const cut = () => demo.by('row').locator('.said .clip').evaluateAll((all) =>
+    all.filter((one) => one.scrollHeight > one.clientHeight + 1 || one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent));
+  await t.equal(cut, [], 'commands of the six that are cut short');
   await t.accessible('the corpus on a phone');
   await t.shot('bench-phone-data');
   await demo.part('run');

@@ -2,7 +2,7 @@
 // are one press each.
 
 import { flow } from '../flow.mjs';
-import { Demo, openTrain } from '../page.mjs';
+import { Demo, csv, openTrain, rows } from '../page.mjs';
 
 flow('a cross-validation is run, saved, and repeated from its file to the same figures', async (t) => {
   const demo = await openTrain(t);
@@ -79,4 +79,76 @@ flow('the paper’s experiments are one press each', async (t) => {
   await t.check(async () => /<svg[^]*pruned, 3[^]*<\/svg>/.test(await demo.saved('save-svg')), 'as a picture');
   await t.accessible('a table of the paper');
   await t.shot('bench-table-2');
+});
+
+flow('learning curves, ablations and seeds are run on what is held out', { seconds: 240 }, async (t) => {
+  const demo = await openTrain(t);
+  await demo.by('split-percent').fill('33');
+  await demo.by('split-by').selectOption({ label: 'single rows' });
+  await demo.press('split-share');
+  await t.check(async () => /held out/.test(await demo.by('corpus-count').textContent()), 'a share is held out');
+  await demo.part('run');
+  await demo.by('setting-epochs').fill('1');
+  await demo.by('setting-epochs').blur();
+  await demo.part('experiments');
+  const names = async (experiment) => {
+    const before = await demo.by('runs').count();
+    await demo.by('experiment').selectOption({ label: experiment });
+    await demo.press('run');
+    await t.until(`${experiment} is done`, async () => (await demo.by('runs').count()) > before, 60);
+    return demo.by('runs').first().locator('tbody th').allTextContents();
+  };
+  const shares = await names('Learning curve');
+  await t.equal(shares.at(-1), '100 %', 'the last share');
+  const without = await names('Without each kind of features');
+  await t.check(without[0] === 'all features' && without.length > 3 && without.slice(1).every((name) => /^without /.test(name)),
+    `the runs: ${without.join(', ')}`);
+  const fewer = await names('With 1, 2 and 3 demonstrations');
+  await t.equal(fewer.length, 3, 'numbers of demonstrations');
+  const seeds = await names('Several seeds');
+  await t.equal(seeds.slice(0, 2), ['seed 0', 'seed 1'], 'the seeds');
+  await t.equal(() => demo.by('results').locator('h3').count(), 4, 'beside one another');
+  await t.check(async () => /seed 0, 1 passes/.test(await demo.by('result-settings').first().textContent()), 'with settings and seed');
+  await t.accessible('several results');
+  await t.fits('several results');
+});
+
+flow('several engines are asked about every row, to the same end', { seconds: 240 }, async (t) => {
+  const many = csv(...Array.from({ length: 40 }, (_, time) => rows.slice(1).map(
+    (row) => row.replace(/"([^"]*)"(?=,[^,]*,[^,]*$)/, `"$1 time${time}"`),
+  )).flat());
+  const found = async (cores) => {
+    const context = await t.context.browser().newContext({ serviceWorkers: 'block', reducedMotion: 'reduce' });
+    try {
+      const page = await context.newPage();
+      await page.addInitScript((n) => {
+        Object.defineProperty(Navigator.prototype, 'hardwareConcurrency', { get: () => n });
+        const Own = globalThis.Worker;
+        globalThis.begun = 0;
+        globalThis.Worker = class extends Own {
+          constructor(...all) { super(...all); globalThis.begun += 1; }
+        };
+      }, cores);
+      await page.goto(`${t.address}#train`);
+      const demo = new Demo(t, page);
+      await demo.by('row').first().waitFor();
+      await demo.choose('many.csv', many);
+      await t.until('the file is open', async () => (await demo.corpus()).name === 'many.csv');
+      const before = await page.evaluate(() => globalThis.begun);
+      await demo.press('audit');
+      // There is something to choose once all rows are judged.
+      await demo.by('filter-outcome').waitFor({ timeout: 120_000 });
+      const engines = (await page.evaluate(() => globalThis.begun)) - before;
+      const outcomes = await demo.by('filter-outcome').locator('option').allTextContents();
+      await demo.part('lexicon');
+      await t.check(async () => (await demo.by('errors').locator('table').count()) > 0, 'where it errs');
+      return { engines, outcomes, errors: await demo.by('errors').textContent() };
+    } finally {
+      await context.close();
+    }
+  };
+  const [several, one] = [await found(3), await found(1)];
+  await t.equal([several.engines, one.engines], [3, 0], 'engines besides the one of the data');
+  await t.equal(several.outcomes, one.outcomes, 'what it makes of the rows');
+  await t.equal(several.errors, one.errors, 'where it errs');
 });

@@ -14,6 +14,7 @@ fn file(text: &str) -> Vec<u8> {
     let text = text
         .replace("@PRE", &cell(PRE))
         .replace("@POST", &cell(&post))
+        .replace("@\"pairs\"", &string(&format!("[{{\"pre\":{PRE},\"post\":{post}}}]")))
         .replace("@\"pre\"", &string(PRE))
         .replace("@\"post\"", &string(&post))
         .replace("@pre", PRE)

@@ -39,6 +39,10 @@ fn all_members_of_a_packed_file_are_read() {
         assert_eq!(flaws, [], "{what}");
         assert_eq!(corpus, plain, "{what}");
     }
+    // Two whole files, each with its header.
+    let twice = [packed(text.as_bytes()), packed(text.as_bytes())].concat();
+    let (corpus, flaws) = csv(&twice);
+    assert_eq!((flaws, corpus.left_out, corpus.examples.len()), (vec![], 0, 80));
     let lines = b"{\"command\": \"go\", \"pairs\": []}";
     assert!(csv(packed(lines)).1[0].to_string().contains("pairs"), "JSON is found out, too");
 }

@@ -21,12 +21,12 @@ use groundling::worker::protocol::{
 };
 
 impl Bench {
-    fn store(&mut self, news: ask::News) {
+    pub(super) fn store(&mut self, news: ask::News) {
         self.act(Action::Kept(kept::Action::Heard(news)));
     }
 
     /// The store is open, this tab keeps runs, and so much is kept.
-    fn shelf(&mut self, items: Vec<Item>) {
+    pub(super) fn shelf(&mut self, items: Vec<Item>) {
         self.store(ask::News::Open);
         self.store(ask::News::Claimed(true));
         self.store(ask::News::List(items));
@@ -35,7 +35,7 @@ impl Bench {
 
     /// What was written last, and where.
     #[track_caller]
-    fn written(&self, kind: &str) -> (Place, Vec<u8>) {
+    pub(super) fn written(&self, kind: &str) -> (Place, Vec<u8>) {
         let written = self.stored.iter().rev().find_map(|ask| match ask {
             Ask::Write(place, bytes) if place.kind == kind => Some((place.clone(), bytes.to_vec())),
             _ => None,
@@ -43,16 +43,16 @@ impl Bench {
         written.expect("it is written")
     }
 
-    fn pool(&mut self, seat: u32, said: Said) {
+    pub(super) fn pool(&mut self, seat: u32, said: Said) {
         self.act(Action::Experiments(experiments::Action::Told(seat, said)));
     }
 
-    fn pool_says(&mut self, seat: u32, id: u32, body: Event) {
+    pub(super) fn pool_says(&mut self, seat: u32, id: u32, body: Event) {
         self.pool(seat, Said::Heard(Envelope { groundling: VERSION, id, body }));
     }
 
     /// What the engines of the pool were sent and have not answered.
-    fn sent(&mut self) -> Vec<(u32, u32, Request)> {
+    pub(super) fn sent(&mut self) -> Vec<(u32, u32, Request)> {
         let mut sent = Vec::new();
         self.others.retain(|effect| match effect {
             Effect::Pool(seat, Errand::Post(_, envelope)) => {
@@ -65,12 +65,12 @@ impl Bench {
     }
 }
 
-fn item(kind: &str, name: &str) -> Item {
+pub(super) fn item(kind: &str, name: &str) -> Item {
     Item { kind: kind.to_owned(), name: name.to_owned(), bytes: 7, at: 1.0 }
 }
 
 /// A run on the open corpus that has got so far, with a checkpoint.
-fn begun(bench: &mut Bench) -> u32 {
+pub(super) fn begun(bench: &mut Bench) -> u32 {
     bench.run(run::Action::Go);
     let (id, _) = bench.posted.pop().expect("training was sent");
     let (asked, request) = bench.posted.pop().expect("what was decided was asked for");

@@ -386,7 +386,7 @@ fn settings_and_what_is_done_without_reach_training() {
 fn every_row_is_judged_and_what_the_model_learned_is_shown() {
     let mut engine = sheet();
     assert_eq!(refused(&mut engine, Request::Errors), "No model was asked about the rows yet.");
-    let none = Request::Audit { model: None, rules: Rules::default() };
+    let none = Request::Audit { model: None, rules: Rules::default(), known: Vec::new() };
     assert_eq!(
         refused(&mut engine, none.clone()),
         "There is no model yet: train one, or open one."
@@ -448,6 +448,7 @@ fn every_row_is_judged_and_what_the_model_learned_is_shown() {
         Request::Audit {
             model: Some(less.model),
             rules: Rules { least_words: 9, ..Rules::default() },
+            known: Vec::new(),
         },
     );
     let Event::Errors(errors) = only(ask(&mut engine, Request::Errors)) else { panic!() };

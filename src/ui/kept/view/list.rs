@@ -56,7 +56,7 @@ async fn act(
         "export" => {
             if let Some((bytes, _)) = store.read(kind, name).await? {
                 let end = match kind {
-                    "session" | "run" | "robot" => "json",
+                    "session" | "run" | "experiment" | "robot" => "json",
                     "model" => "model",
                     _ => "txt",
                 };

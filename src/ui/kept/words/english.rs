@@ -16,6 +16,7 @@ pub(super) static ENGLISH: Text = Text {
         ("session", "The session of a link"),
         ("corpus", "Corpus"),
         ("run", "Training run"),
+        ("experiment", "Experiment"),
         ("model", "Model"),
         ("sitting", "What you answered in a study"),
         ("robot", "How your robot is set up"),

@@ -16,6 +16,7 @@ pub(super) static GERMAN: Text = Text {
         ("session", "Die Sitzung eines Links"),
         ("corpus", "Korpus"),
         ("run", "Lauf des Trainings"),
+        ("experiment", "Experiment"),
         ("model", "Modell"),
         ("sitting", "Deine Antworten in einer Studie"),
         ("robot", "Wie dein Roboter eingerichtet ist"),

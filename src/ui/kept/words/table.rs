@@ -9,7 +9,7 @@ pub struct Text {
     pub what: &'static str,
     pub when: &'static str,
     pub size: &'static str,
-    pub kinds: [(&'static str, &'static str); 8],
+    pub kinds: [(&'static str, &'static str); 9],
     pub save: &'static str,
     pub delete: &'static str,
     pub delete_all: &'static str,

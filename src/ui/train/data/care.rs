@@ -22,7 +22,7 @@ pub fn care(sheet: &mut Sheet, desk: &mut Desk, action: Care) {
         Care::Mark => Request::Mark { rules: Rules::default() },
         Care::Audit => {
             let model = desk.in_use.as_ref().map(|model| model.report.model.clone());
-            let request = Request::Audit { model, rules: Rules::default() };
+            let request = Request::Audit { model, rules: Rules::default(), known: Vec::new() };
             return desk.send(request, false);
         }
     };

@@ -6,7 +6,7 @@ use super::state::{Found, State};
 use super::words::Text;
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
-use crate::worker::protocol::{Event, Request};
+use crate::worker::protocol::{Event, Request, Rules};
 use std::rc::Rc;
 
 /// Something that the engine of the data was asked has been answered.
@@ -24,9 +24,12 @@ pub fn answered(
         }
         (Event::Joined(joined), Request::JoinRuns { plan, .. }) => {
             desk.say((text.ended)(joined.runs.len()));
-            state.results.insert(0, Rc::new(Found { plan, joined: *joined }));
+            state.results.insert(0, Rc::new(Found::new(plan, *joined)));
         }
-        (Event::Refused { message }, _) => tell(state, desk, message),
+        (Event::Refused { message }, _) => {
+            share::give_up(state);
+            tell(state, desk, message);
+        }
         _ => {}
     }
 }
@@ -42,6 +45,7 @@ pub fn told(state: &mut State, desk: &mut Desk, seat: u32, said: Said) {
     if outcome == Outcome::Works {
         return;
     }
+    let asked = pool.asks().map(str::to_owned);
     share::leave(state, desk);
     let text = Text::of(desk.language);
     match outcome {
@@ -51,6 +55,20 @@ pub fn told(state: &mut State, desk: &mut Desk, seat: u32, said: Said) {
             desk.say((text.ended)(1));
             state.six = Some(Rc::new(*found));
         }
-        Outcome::Failed(message) => tell(state, desk, message),
+        Outcome::Asked(model, known) => {
+            let (model, rules) = (Some(model), Rules::default());
+            desk.send(Request::Audit { model, rules, known }, false);
+        }
+        Outcome::Failed(message) => match asked {
+            // The engine of the data asks by itself.
+            Some(model) => {
+                let (model, rules) = (Some(model), Rules::default());
+                desk.send(Request::Audit { model, rules, known: Vec::new() }, false);
+            }
+            None => {
+                share::give_up(state);
+                tell(state, desk, message);
+            }
+        },
     }
 }

@@ -6,6 +6,7 @@ pub mod pool;
 pub mod picture;
 pub mod action;
 pub mod state;
+pub mod file;
 pub mod share;
 pub mod update;
 pub mod hear;

@@ -4,7 +4,8 @@
 
 use crate::ui::page::engine::{Engine, Errand, Health};
 use crate::worker::protocol::{
-    Demonstrated, Envelope, Event, ExperimentProgress, MappedFile, Program, Request, VERSION,
+    Answered, Demonstrated, Envelope, Event, ExperimentProgress, MappedFile, Program, Request,
+    VERSION,
 };
 use std::collections::VecDeque;
 use std::rc::Rc;
@@ -19,6 +20,8 @@ pub enum Work {
     Plan(String),
     /// One request, whose answer is all.
     One(Box<Request>),
+    /// A model is asked every row, a part of the commands a run.
+    Rows(String),
 }
 
 /// Engines at work.
@@ -30,7 +33,9 @@ pub struct Pool {
     seats: Vec<Seat>,
     waiting: VecDeque<u32>,
     n_runs: usize,
+    n_done: usize,
     shards: Vec<String>,
+    answers: Vec<Answered>,
 }
 
 /// An engine with what it does.
@@ -39,6 +44,8 @@ struct Seat {
     engine: Engine,
     run: Option<u32>,
     progress: Option<ExperimentProgress>,
+    /// Rows that the model was asked in the run at work.
+    rows: u32,
     /// Whether it took the place of one that died.
     is_second: bool,
 }
@@ -61,6 +68,8 @@ pub enum Outcome {
     Works,
     /// All runs of a plan are done: the plan, and what each found.
     Found(String, Vec<String>),
+    /// All rows were asked: the model, and what it makes of them.
+    Asked(String, Vec<Answered>),
     /// The one request is answered.
     Demonstrated(Box<Demonstrated>),
     /// It cannot be done, and why.
@@ -83,8 +92,9 @@ impl Pool {
         let n_seats = seats.clamp(1, MOST_SEATS).min(runs.max(1));
         let seats = (0..n_seats).map(|_| Seat::new(false)).collect();
         let n_runs = waiting.len();
+        let (shards, answers) = (Vec::new(), Vec::new());
         let mut pool =
-            Pool { work, files, with_rejected, seats, waiting, n_runs, shards: Vec::new() };
+            Pool { work, files, with_rejected, seats, waiting, n_runs, n_done: 0, shards, answers };
         pool.open(0, errands);
         pool
     }
@@ -95,8 +105,27 @@ impl Pool {
     }
 
     /// The runs that are done.
-    pub fn done(&self) -> usize {
-        self.shards.len()
+    pub const fn done(&self) -> usize {
+        self.n_done
+    }
+
+    /// The model that is asked every row, if that is the work.
+    pub fn asks(&self) -> Option<&str> {
+        match &self.work {
+            Work::Rows(model) => Some(model),
+            _ => None,
+        }
+    }
+
+    /// Whether it is on these files.
+    pub fn is_on(&self, files: &Rc<[MappedFile]>) -> bool {
+        Rc::ptr_eq(&self.files, files)
+    }
+
+    /// Rows that it was asked.
+    pub fn rows(&self) -> u32 {
+        let known = self.answers.iter().map(|answered| answered.rows.len() as u32);
+        known.chain(self.seats.iter().map(|seat| seat.rows)).sum()
     }
 
     /// The number of engines.
@@ -138,6 +167,10 @@ impl Pool {
                         seat.progress = Some(progress);
                         Outcome::Works
                     }
+                    Event::Auditing { done, .. } => {
+                        seat.rows = done;
+                        Outcome::Works
+                    }
                     Event::Reading { .. } | Event::Pong => Outcome::Works,
                     event => {
                         let request = seat.engine.finish(id, &mut own);
@@ -172,16 +205,29 @@ impl Pool {
             }
             Event::Shard { text } => {
                 self.shards.push(text);
-                self.next(at, errands);
-                match &self.work {
-                    Work::Plan(plan) if self.shards.len() == self.n_runs => {
-                        Outcome::Found(plan.clone(), std::mem::take(&mut self.shards))
-                    }
-                    _ => Outcome::Works,
-                }
+                self.done_one(at, errands)
+            }
+            Event::Answered { commands } => {
+                self.answers.extend(commands);
+                self.done_one(at, errands)
             }
             Event::Demonstrated(found) => Outcome::Demonstrated(found),
             Event::Refused { message } if request.is_some() => Outcome::Failed(message),
+            _ => Outcome::Works,
+        }
+    }
+
+    /// A run is done; what came of all of them, once they are.
+    fn done_one(&mut self, at: u32, errands: &mut Errands) -> Outcome {
+        self.n_done += 1;
+        self.next(at, errands);
+        match &self.work {
+            Work::Plan(plan) if self.n_done == self.n_runs => {
+                Outcome::Found(plan.clone(), std::mem::take(&mut self.shards))
+            }
+            Work::Rows(model) if self.n_done == self.n_runs => {
+                Outcome::Asked(model.clone(), std::mem::take(&mut self.answers))
+            }
             _ => Outcome::Works,
         }
     }
@@ -195,11 +241,15 @@ impl Pool {
     /// Gives an engine the next run, if there is one.
     fn next(&mut self, at: u32, errands: &mut Errands) {
         let Some(seat) = self.seats.get_mut(at as usize) else { return };
-        seat.progress = None;
+        (seat.progress, seat.rows) = (None, 0);
         seat.run = self.waiting.pop_front();
         let Some(run) = seat.run else { return };
         let request = match &self.work {
             Work::Plan(plan) => Request::RunShard { plan: plan.clone(), runs: vec![run] },
+            Work::Rows(model) => {
+                let of = self.n_runs as u32;
+                Request::AskPart { model: model.clone(), part: run, of }
+            }
             Work::One(request) => (**request).clone(),
         };
         self.send(at, request, errands);
@@ -228,6 +278,12 @@ impl Pool {
 
 impl Seat {
     fn new(is_second: bool) -> Seat {
-        Seat { engine: Engine::new(Program::Learner), run: None, progress: None, is_second }
+        Seat {
+            engine: Engine::new(Program::Learner),
+            run: None,
+            progress: None,
+            rows: 0,
+            is_second,
+        }
     }
 }

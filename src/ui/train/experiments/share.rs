@@ -1,12 +1,18 @@
 //! Experiments are shared out: what they are on, how engines begin and end, and what is said when there is no result.
 
 use super::pool::{Pool, Work};
-use super::state::State;
+use super::state::{Begun, State};
 use super::words::Text;
 use crate::ui::train::desk::Desk;
 use crate::ui::train::effect::Effect;
 use crate::worker::protocol::{MappedFile, Settings};
 use std::rc::Rc;
+
+/// With fewer rows one engine has asked a model all of them before others have read the corpus.
+const LEAST_ROWS: u32 = 200;
+
+/// Parts of the commands that a model is asked: some more than engines, since none takes as long as another.
+const PARTS: u32 = 12;
 
 /// What experiments are on.
 pub struct Ground {
@@ -14,6 +20,8 @@ pub struct Ground {
     pub files: Rc<[MappedFile]>,
     /// Whether its rejected rows are used.
     pub with_rejected: bool,
+    /// Its rows.
+    pub rows: u32,
     /// Rows of it that are held out.
     pub held_out: u32,
     /// The settings that runs have in common.
@@ -29,7 +37,9 @@ pub(super) fn run(state: &mut State, desk: &mut Desk, plan: String, ground: &Gro
         return tell(state, desk, words);
     };
     let on = (ground.files.clone(), ground.with_rejected);
-    begin(state, desk, Work::Plan(plan), runs, on);
+    begin(state, desk, Work::Plan(plan.clone()), runs, on);
+    give_up(state);
+    state.begun.push(Begun { plan, name: String::new(), is_given_up: false });
 }
 
 /// Engines begin to share work out.
@@ -41,7 +51,9 @@ pub(super) fn begin(
     on: (Rc<[MappedFile]>, bool),
 ) {
     leave(state, desk);
-    desk.say(Text::of(desk.language).begun);
+    if !matches!(work, Work::Rows(_)) {
+        desk.say(Text::of(desk.language).begun);
+    }
     let mut errands = Vec::new();
     state.pool = Some(Pool::new(work, runs, desk.cores, on, &mut errands));
     for (seat, errand) in errands {
@@ -49,11 +61,27 @@ pub(super) fn begin(
     }
 }
 
+/// Has a model be asked every row by several engines; whether that helps.
+pub(in crate::ui::train) fn ask(state: &mut State, desk: &mut Desk, ground: &Ground) -> bool {
+    let Some(model) = &desk.in_use else { return false };
+    if desk.cores < 2 || ground.rows < LEAST_ROWS || state.pool.is_some() {
+        return false;
+    }
+    let work = Work::Rows(model.report.model.clone());
+    begin(state, desk, work, PARTS, (ground.files.clone(), ground.with_rejected));
+    true
+}
+
 /// Ends the engines at work.
-pub(super) fn leave(state: &mut State, desk: &mut Desk) {
+pub(in crate::ui::train) fn leave(state: &mut State, desk: &mut Desk) {
     if state.pool.take().is_some() {
         desk.want(Effect::EndPool);
     }
+}
+
+/// What was begun is given up.
+pub(super) fn give_up(state: &mut State) {
+    state.begun.iter_mut().for_each(|begun| begun.is_given_up = true);
 }
 
 /// How many runs a plan has; nothing when it is none.

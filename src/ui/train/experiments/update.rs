@@ -5,7 +5,7 @@ use super::hear;
 use super::matrix::Kind;
 use super::picture::picture;
 use super::pool::Work;
-use super::share::{Ground, begin, leave, run, tell};
+use super::share::{Ground, begin, give_up, leave, run, tell};
 use super::state::State;
 use super::words::Text;
 use crate::ui::page::files::Offered;
@@ -41,6 +41,7 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action, ground: &Groun
         Action::Told(seat, said) => hear::told(state, desk, seat, said),
         Action::Stop => {
             leave(state, desk);
+            give_up(state);
             let words = Text::of(desk.language).stopped.to_owned();
             tell(state, desk, words);
         }
@@ -51,11 +52,8 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action, ground: &Groun
             }
         }
         Action::Save(at, what) => save(state, desk, at, what),
-        Action::Forget(at) => {
-            if at < state.results.len() {
-                state.results.remove(at);
-            }
-        }
+        // It is forgotten where it is kept.
+        Action::Forget(_) => {}
     }
 }
 

@@ -15,19 +15,22 @@ pub enum Kind {
     Corpus,
     /// A training run.
     Run,
+    /// What the runs of an experiment found.
+    Experiment,
     /// A model.
     Model,
 }
 
 impl Kind {
     /// All of them, in order.
-    pub const ALL: [Kind; 3] = [Kind::Corpus, Kind::Run, Kind::Model];
+    pub const ALL: [Kind; 4] = [Kind::Corpus, Kind::Run, Kind::Experiment, Kind::Model];
 
     /// Its name in the store.
     pub const fn name(self) -> &'static str {
         match self {
             Kind::Corpus => "corpus",
             Kind::Run => "run",
+            Kind::Experiment => "experiment",
             Kind::Model => "model",
         }
     }
@@ -66,6 +69,8 @@ pub struct State {
     pub writes: Vec<Place>,
     /// How the run at work was kept last: its name, how often it was kept, and what of it.
     pub run: Option<Stamp>,
+    /// The run that is open and works no more, if a person deleted it: it is not kept again by itself.
+    pub deleted: Option<String>,
     /// How far it is kept, for words: the pass, and the command in it.
     pub reached: Option<(u32, usize)>,
 }
@@ -93,8 +98,12 @@ pub enum Purpose {
     GoOn,
     /// Since a person opens it.
     Open,
+    /// Since it is seen where it was found.
+    Show,
     /// As the corpus of the run that is being opened.
     Run,
+    /// As that of the run that comes back by itself.
+    Back,
     /// To save it as a file.
     Save,
 }
@@ -108,6 +117,8 @@ pub struct Stamp {
     pub at: Option<f64>,
     /// Whether it has a model; whether it works.
     pub is_over: (bool, bool),
+    /// How much had been done to its corpus when it was asked last what is decided of the rows.
+    pub since: Option<usize>,
 }
 
 impl State {
@@ -134,12 +145,12 @@ impl State {
         self.items.iter().any(is_it) || self.writes.contains(place)
     }
 
-    /// A name that no run is kept under, for a run on this corpus.
-    pub fn free_name(&self, corpus: &str) -> String {
+    /// A name that nothing of a kind is kept under, for what is called so.
+    pub fn free_name(&self, kind: Kind, called: &str) -> String {
         let mut number = 1;
         loop {
-            let name = format!("{corpus}, {number}");
-            if !self.has(&Kind::Run.place(&name)) {
+            let name = format!("{called}, {number}");
+            if !self.has(&kind.place(&name)) {
                 return name;
             }
             number += 1;

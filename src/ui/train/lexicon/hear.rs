@@ -1,6 +1,7 @@
 //! What the engine says of what was learned.
 
 use super::state::State;
+use super::update;
 use super::words::Text;
 use crate::ui::page::news::News;
 use crate::ui::train::desk::Desk;
@@ -25,6 +26,14 @@ pub fn answered(state: &mut State, desk: &mut Desk, request: &Request, event: Ev
             let corpus = (text.without)(places.len());
             desk.want(Effect::Tell(News::Use { text: report.model, corpus }));
             state.picked.clear();
+        }
+        // Nothing was learned here: what the robot knows is looked at.
+        (Event::Refused { .. }, Request::Entries { .. }) if desk.in_use.is_some() => {
+            update::give(desk);
+        }
+        (Event::Heard, Request::KeepModel { .. }) => {
+            state.is_robots = true;
+            update::ask(state, desk);
         }
         // Nobody was asked about the rows yet: there are no errors to be seen.
         (Event::Refused { .. }, Request::Errors) => state.errors = None,

@@ -16,6 +16,8 @@ pub struct State {
     pub offset: u32,
     /// Those that are, once they have come.
     pub window: Option<Rc<EntryWindow>>,
+    /// Whether it was the robot's model that was looked at, since nothing was learned here.
+    pub is_robots: bool,
     /// Entries that are picked, by their place in the lexicon.
     pub picked: BTreeSet<u32>,
     /// Where the model errs, once it was asked about the rows.

@@ -41,8 +41,16 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action) {
     ask(state, desk);
 }
 
+/// Gives the engine the robot's model.
+pub(in crate::ui::train) fn give(desk: &mut Desk) {
+    if let Some(model) = &desk.in_use {
+        let text = model.report.model.clone();
+        desk.ask(Request::KeepModel { text });
+    }
+}
+
 /// Asks for the entries that are to be shown.
-fn ask(state: &State, desk: &mut Desk) {
+pub(super) fn ask(state: &State, desk: &mut Desk) {
     let (view, offset) = (state.view.clone(), state.offset);
     desk.ask(Request::Entries { view, offset, count: PAGE });
 }

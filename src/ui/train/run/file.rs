@@ -28,6 +28,8 @@ struct File {
     corpus: String,
     pack: String,
     decisions: Option<String>,
+    #[serde(default)]
+    since: Option<String>,
     settings: Settings,
     pace: Pace,
     worked: f64,
@@ -45,6 +47,7 @@ pub fn write(run: &Run) -> String {
         corpus: run.corpus.clone(),
         pack: run.pack.clone(),
         decisions: run.decisions.clone(),
+        since: run.since.as_ref().map(|(text, _)| text.clone()),
         settings: run.settings.clone(),
         pace: run.pace,
         worked: run.clock.worked(),
@@ -69,6 +72,7 @@ pub fn read(name: &str, text: &str) -> Result<Run, String> {
     let mut run = Run::new(file.settings, file.corpus, file.pack);
     run.name = name.to_owned();
     run.decisions = file.decisions;
+    run.since = file.since.map(|text| (text, 0));
     run.pace = file.pace;
     run.clock = Clock::worked_so_long(file.worked);
     run.progress = file.progress;

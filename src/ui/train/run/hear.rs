@@ -61,10 +61,10 @@ pub fn ended(state: &mut State, desk: &mut Desk, event: Event) {
     match event {
         Event::Trained(report) => {
             run.pace = Pace::Over;
-            run.checkpoint = None;
             run.model = Some(Rc::from(report.model.as_str()));
             desk.say((text.trained)(report.valid, report.examples));
             used(run, desk, report);
+            desk.ask(Request::Checkpoint);
         }
         Event::Cancelled => {
             run.pace = Pace::Stopped;

@@ -40,6 +40,9 @@ pub struct Run {
     pub name: String,
     /// What was decided of the rows when it began, once that is known.
     pub decisions: Option<String>,
+    /// What is decided of them now that it works no more, if that is something else; and how much had been done to the
+    /// corpus by then.
+    pub since: Option<(String, usize)>,
     /// How it goes.
     pub pace: Pace,
     /// How far it is.
@@ -83,6 +86,7 @@ impl Run {
             pack,
             name: String::new(),
             decisions: None,
+            since: None,
             model: None,
             pace: Pace::Goes,
             progress: None,
@@ -92,6 +96,11 @@ impl Run {
             checkpoint: None,
             is_retried: false,
         }
+    }
+
+    /// Whether it works no more.
+    pub const fn is_still(&self) -> bool {
+        matches!(self.pace, Pace::Stopped | Pace::Over)
     }
 }
 
@@ -158,14 +167,20 @@ impl State {
 
     /// The run at work, if there is one.
     pub fn live(&self) -> Option<&Run> {
-        self.run.as_ref().filter(|run| !matches!(run.pace, Pace::Stopped | Pace::Over))
+        self.run.as_ref().filter(|run| !run.is_still())
     }
 }
 
 /// Whether training on so many commands can begin.
 pub fn can_train(desk: &Desk, commands: usize) -> bool {
     let busy = |request: &Request| {
-        matches!(request, Request::Learn { .. } | Request::OpenSheet { .. } | Request::Audit { .. })
+        matches!(
+            request,
+            Request::Learn { .. }
+                | Request::Recall { .. }
+                | Request::OpenSheet { .. }
+                | Request::Audit { .. }
+        )
     };
     commands > 0 && desk.is_ready() && !desk.learner.is_at(busy)
 }

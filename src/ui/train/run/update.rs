@@ -96,19 +96,22 @@ pub fn retry(state: &mut State) -> bool {
 
 /// The new engine has its corpus: the run goes on.
 pub fn restore(state: &mut State, desk: &mut Desk) {
-    if let Some(run) = live(state) {
-        run.pace = Pace::Goes;
-        learn(run, desk);
+    match live(state) {
+        Some(run) => {
+            run.pace = Pace::Goes;
+            learn(run, desk);
+        }
+        None => state.run.iter().for_each(|run| recall(run, desk)),
     }
 }
 
 /// A run that was kept is here again, whose corpus is being read; it goes on if it was at work, or stands as it was.
 pub fn bring_back(state: &mut State, desk: &mut Desk, mut run: Run) {
     let goes = run.pace == Pace::Goes;
-    if goes {
-        learn(&run, desk);
-    } else if run.pace != Pace::Over {
-        run.pace = Pace::Stopped;
+    match run.pace {
+        Pace::Goes => learn(&run, desk),
+        Pace::Over => recall(&run, desk),
+        _ => run.pace = Pace::Stopped,
     }
     (state.run, state.notice) = (Some(run), None);
     if goes {
@@ -124,7 +127,7 @@ pub fn stop(state: &mut State) {
 }
 
 fn live(state: &mut State) -> Option<&mut Run> {
-    state.run.as_mut().filter(|run| !matches!(run.pace, Pace::Stopped | Pace::Over))
+    state.run.as_mut().filter(|run| !run.is_still())
 }
 
 fn go(state: &mut State, desk: &mut Desk, ground: Ground) {
@@ -164,6 +167,16 @@ fn begin(state: &mut State, desk: &mut Desk, ground: Ground) {
 fn learn(run: &Run, desk: &mut Desk) {
     let resume = run.checkpoint.as_ref().map(|(text, _)| text.clone());
     desk.send(Request::Learn { settings: Box::new(run.settings.clone()), resume }, false);
+}
+
+/// Has the engine take a run that is over up again, for what it learned.
+fn recall(run: &Run, desk: &mut Desk) {
+    let kept = (&run.checkpoint, &run.decisions, run.pace);
+    if let (Some((text, _)), Some(decisions), Pace::Over) = kept {
+        let (settings, checkpoint) = (Box::new(run.settings.clone()), text.clone());
+        let decisions = decisions.clone();
+        desk.send(Request::Recall { settings, decisions, checkpoint }, false);
+    }
 }
 
 /// A person's own lexicon is chosen; what is wrong with it the engine says when it is used.

@@ -11,7 +11,7 @@ use crate::ui::train::action::{Action, Tab};
 use crate::ui::train::data;
 use crate::ui::train::data::view::panel as data_panel;
 use crate::ui::train::experiments::view::panel as experiments_panel;
-use crate::ui::train::kept::view::{of_run, panel as kept_panel};
+use crate::ui::train::kept::view::{of_results, of_run, panel as kept_panel};
 use crate::ui::train::lexicon::view::panel as lexicon_panel;
 use crate::ui::train::run::view::panel as run_panel;
 use crate::ui::train::state::State;
@@ -121,7 +121,7 @@ impl Component for Workbench {
                         { match tab {
                             Tab::Data => data_panel(data, desk, &act.reform(Action::Data)),
                             Tab::Run => run_panel(run, desk, data.commands(), of_run(kept, desk.language, run.run.is_some()), &act.reform(Action::Run), &offer),
-                            Tab::Experiments => experiments_panel(experiments, desk, data.held_out(),
+                            Tab::Experiments => experiments_panel(experiments, desk, of_results(kept, desk.language), data.held_out(),
                                 desk.is_ready() && data.commands() > 0, &act.reform(Action::Experiments)),
                             Tab::Study => study_panel(study, desk, &act.reform(Action::Study)),
                             Tab::Kept => kept_panel(kept, desk, [data.sheet.is_some(), desk.in_use.is_some()], &act.reform(Action::Kept)),

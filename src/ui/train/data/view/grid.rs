@@ -6,7 +6,7 @@ use crate::ui::page::view::picture::Picture;
 use crate::ui::train::data::action::{Action, Look};
 use crate::ui::train::data::sheet::Sheet;
 use crate::ui::train::data::words::Text;
-use crate::worker::protocol::{Decision, Line, Sort, Status};
+use crate::worker::protocol::{Decision, Line, Rule, Sort, Status};
 use web_sys::{Element, Event, HtmlInputElement, KeyboardEvent, MouseEvent};
 use yew::{
     Callback, Html, Properties, TargetCast, classes, component, html, use_effect_with, use_node_ref,
@@ -94,9 +94,11 @@ pub(super) fn Grid(props: &Props) -> Html {
     let drawn = table.drawn();
     let is_said_who = sheet.facets.workers.values.iter().any(|(who, _)| !who.is_empty());
     let nobody = (!is_said_who).then_some("nobody");
+    let is_marked = sheet.facets.rules.iter().any(|(_, rows)| *rows > 0);
+    let unasked = (!is_marked && sheet.facets.outcomes.is_empty()).then_some("unasked");
     let below = table.total().saturating_sub(drawn.end) * height;
     html! {
-        <div ref={node} class={classes!("grid", sheet.is_small().then_some("small"), nobody)} role="grid" tabindex="0"
+        <div ref={node} class={classes!("grid", sheet.is_small().then_some("small"), nobody, unasked)} role="grid" tabindex="0"
             aria-label={text.table} aria-rowcount={(table.total() + 1).to_string()} data-testid="rows"
             aria-activedescendant={here} onscroll={scrolled} onkeydown={pressed}>
             { head(sheet, text, &act) }
@@ -184,7 +186,7 @@ fn row(props: &Props, place: u32, act: &Callback<Look>) -> Html {
                 <span>{ row + 1 }</span>
             </span>
             <span role="gridcell" class="said">
-                <span class="clip">{ command }</span>
+                <span class="clip" title={command.clone()}>{ command }</span>
                 if let Some(pair) = first {
                     <span class="pair" aria-hidden="true">{ picture(&pair.pre) }{ arrow() }{ picture(&pair.post) }</span>
                 }
@@ -196,9 +198,10 @@ fn row(props: &Props, place: u32, act: &Callback<Look>) -> Html {
                 { (text.status)(Status::of(decision)) }
                 if *half != Default::default() { {" · "}{ (text.half)(*half) } }
             </span>
+            // That it does not validate is what the outcome says.
             <span role="gridcell" class="clip">
                 if let Some(outcome) = outcome { <span class={format!("outcome {outcome:?}").to_ascii_lowercase()}>{ (text.outcome)(*outcome) }</span> }
-                { for marks.iter().map(|(rule, why)| html! { <span class="mark" title={why.clone()}>{ (text.rule)(*rule) }</span> }) }
+                { for marks.iter().filter(|(rule, _)| *rule != Rule::Invalid).map(|(rule, why)| html! { <span class="mark" title={why.clone()}>{ (text.rule)(*rule) }</span> }) }
             </span>
         </div>
     }

@@ -14,10 +14,12 @@ use crate::ui::train::experiments::words::Text;
 use crate::worker::protocol::{By, ExperimentProgress, RunPart};
 use yew::{Callback, Html, html};
 
-/// Experiments on a corpus of which so many rows are held out; `can_run` says whether the engine is free.
+/// Experiments on a corpus of which so many rows are held out; `kept` says what there is to say of how results are kept,
+/// `can_run` whether the engine is free.
 pub(crate) fn panel(
     state: &State,
     desk: &Desk,
+    kept: Html,
     held_out: u32,
     can_run: bool,
     act: &Callback<Action>,
@@ -27,7 +29,7 @@ pub(crate) fn panel(
         <div class="data">
             { paper(state, held_out, can_run, text, act) }
             { chosen(state, held_out, can_run, text, act) }
-            { results(state, text, act) }
+            { results(state, kept, text, act) }
         </div>
     }
 }
@@ -73,9 +75,10 @@ fn chosen(
         act.reform(|at: usize| Action::Choose(Kind::OWN.get(at).copied().unwrap_or_default()));
     let by: Vec<String> = By::ALL.iter().map(|(_, by)| (text.by)(*by).to_owned()).collect();
     let lacks = state.kind.needs_held_out() && held_out == 0;
-    let (id, words, action, off) = match state.pool.is_some() {
+    let is_asking = state.asking().is_some();
+    let (id, words, action, off) = match state.pool.is_some() && !is_asking {
         true => ("stop-runs", text.stop, Action::Stop, false),
-        false => ("run", text.go, Action::Go, lacks || !can_run),
+        false => ("run", text.go, Action::Go, lacks || is_asking || !can_run),
     };
     html! {
         <section class="card" aria-labelledby="experiments-title">
@@ -100,7 +103,7 @@ fn chosen(
                 <button type="button" class="primary" data-testid={id} disabled={off}
                     onclick={act.reform(move |_| action.clone())}>{ words }</button>
             </p>
-            if let Some(pool) = &state.pool { { bar(text, pool) } }
+            if let Some(pool) = state.pool.as_ref().filter(|_| !is_asking) { { bar(text, pool) } }
             { notice(state.notice.as_deref(), "experiment-notice") }
             { open_file("runs-file", text.repeat, ".json", None, &act.reform(Action::Repeat)) }
         </section>

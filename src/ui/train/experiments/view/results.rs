@@ -9,20 +9,21 @@ use yew::{Callback, Html, html};
 /// The breadth of the picture of a figure with its interval.
 const WIDTH: f64 = 120.0;
 
-/// What was found.
-pub(super) fn results(state: &State, text: &Text, act: &Callback<Action>) -> Html {
+/// What was found, and what there is to say of how it is kept.
+pub(super) fn results(state: &State, kept: Html, text: &Text, act: &Callback<Action>) -> Html {
     html! {
         <section class="card" aria-labelledby="results-title" data-testid="results">
             <h2 id="results-title">{ text.results }</h2>
-            if state.results.is_empty() { <p class="dim">{ text.none }</p> }
+            if state.results.is_empty() { <p class="dim">{ text.none }</p> } else { { kept } }
             { for state.results.iter().enumerate().map(|(at, found)| one(at, found, text, act)) }
         </section>
     }
 }
 
 fn one(at: usize, found: &Found, text: &Text, act: &Callback<Action>) -> Html {
-    let name = found.joined.runs.first().map_or("", |run| run.name.as_str());
-    let label = format!("{}, {}", at + 1, name);
+    let name = if found.name.is_empty() { &found.about.name } else { &found.name };
+    let about = found.about.runs.first().map(|run| (text.settings)(&run.settings));
+    let label = format!("{}, {name}", at + 1);
     let has_paper = found.joined.runs.iter().any(|run| run.paper_f1.is_some());
     let save = |what: Saved| {
         html! {
@@ -32,6 +33,8 @@ fn one(at: usize, found: &Found, text: &Text, act: &Callback<Action>) -> Html {
     };
     html! {
         <div class="result">
+            <h3>{ name }</h3>
+            if let Some(about) = about { <p class="dim figures" data-testid="result-settings">{ about }</p> }
             <div class="scroll" tabindex="0" role="region" aria-label={label}>
                 <table class="figures" data-testid="runs">
                     <thead><tr>

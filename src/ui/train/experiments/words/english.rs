@@ -59,6 +59,11 @@ pub(super) static ENGLISH: Text = Text {
     repeat: "Repeat the runs of a file",
     no_plan: "This file plans no runs.",
     begun: "The runs have begun.",
+    was_lost: |name| {
+        format!(
+            "“{name}” was at work when the page was left: what its runs had found is lost. Run it once more."
+        )
+    },
     stopped: "The runs were stopped: nothing of them is kept.",
     ended: |n| format!("{n} runs are done."),
     at: |run, runs, name, part| format!("Run {run} of {runs}: {name}. {part}"),
@@ -84,5 +89,11 @@ pub(super) static ENGLISH: Text = Text {
         Saved::Report => "as a report",
         Saved::Plan => "the runs, to repeat them",
     },
-    forget: "Forget this result",
+    settings: |s| {
+        format!(
+            "The first run: seed {}, {} passes, beams {} and {}.",
+            s.seed, s.epochs, s.beam, s.lexical_beam
+        )
+    },
+    forget: "Delete this result",
 };

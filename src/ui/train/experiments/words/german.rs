@@ -61,6 +61,11 @@ pub(super) static GERMAN: Text = Text {
     repeat: "Die Läufe einer Datei wiederholen",
     no_plan: "Diese Datei plant keine Läufe.",
     begun: "Die Läufe haben begonnen.",
+    was_lost: |name| {
+        format!(
+            "„{name}“ lief, als die Seite verlassen wurde: Was die Läufe gefunden hatten, ist verloren. Starte sie noch einmal."
+        )
+    },
     stopped: "Die Läufe wurden beendet: Nichts davon bleibt.",
     ended: |n| format!("{n} Läufe sind fertig."),
     at: |run, runs, name, part| format!("Lauf {run} von {runs}: {name}. {part}"),
@@ -86,5 +91,11 @@ pub(super) static GERMAN: Text = Text {
         Saved::Report => "als Bericht",
         Saved::Plan => "die Läufe, um sie zu wiederholen",
     },
-    forget: "Dieses Ergebnis vergessen",
+    settings: |s| {
+        format!(
+            "Der erste Lauf: Startwert {}, {} Durchgänge, Strahlen {} und {}.",
+            s.seed, s.epochs, s.beam, s.lexical_beam
+        )
+    },
+    forget: "Dieses Ergebnis löschen",
 };

@@ -2,7 +2,7 @@
 
 use crate::ui::train::experiments::action::Saved;
 use crate::ui::train::experiments::matrix::Kind;
-use crate::worker::protocol::{By, Progress};
+use crate::worker::protocol::{By, Progress, Settings};
 
 /// The words of a language.
 #[expect(missing_docs, reason = "the English table says what each is")]
@@ -33,6 +33,7 @@ pub struct Text {
     pub repeat: &'static str,
     pub no_plan: &'static str,
     pub begun: &'static str,
+    pub was_lost: fn(&str) -> String,
     pub stopped: &'static str,
     pub ended: fn(usize) -> String,
     pub at: fn(usize, usize, &str, &str) -> String,
@@ -50,5 +51,6 @@ pub struct Text {
     pub paper: &'static str,
     pub all: &'static str,
     pub saved: fn(Saved) -> &'static str,
+    pub settings: fn(&Settings) -> String,
     pub forget: &'static str,
 }

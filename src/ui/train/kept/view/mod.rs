@@ -3,5 +3,5 @@
 mod panel;
 mod shelf;
 
-pub(crate) use panel::{of_run, panel};
+pub(crate) use panel::{of_results, of_run, panel};
 pub(crate) use shelf::Shelf;

@@ -59,6 +59,16 @@ pub(crate) fn of_run(state: &State, language: Language, is_live: bool) -> Html {
     }
 }
 
+/// The same where results of experiments are seen.
+pub(crate) fn of_results(state: &State, language: Language) -> Html {
+    let Some(fault) = &state.fault else { return Html::default() };
+    html! {
+        <p class="notice bad" role="status" data-testid="results-not-kept" data-fault={fault.name().to_owned()}>
+            { (Text::of(language).fault)(fault) }
+        </p>
+    }
+}
+
 fn form(state: &State, text: &Text, [corpus, model]: [bool; 2], act: &Callback<Action>) -> Html {
     let button = |id: &'static str, words: &'static str, can: bool, action: Action| {
         html! {

@@ -7,7 +7,7 @@ use crate::ui::train::kept::state::Kind;
 /// The words.
 pub(super) static ENGLISH: Text = Text {
     title: "Kept on this machine",
-    help: "A run is kept by itself every few seconds, with its corpus, and goes on where it was when the page is opened again. Corpora and models are kept when you say so. All of it stays in this browser, which may clear it when its disk is full or when you clear its data: save as a file what you must not lose.",
+    help: "A run is kept by itself every few seconds, with its corpus, and goes on where it was when the page is opened again. What an experiment found is kept by itself. Corpora and models are kept when you say so. All of it stays in this browser, which may clear it when its disk is full or when you clear its data: save as a file what you must not lose.",
     name: "Name",
     keep_corpus: "Keep the corpus",
     keep_model: "Keep the robot’s model",
@@ -15,6 +15,7 @@ pub(super) static ENGLISH: Text = Text {
     kind: |kind| match kind {
         Kind::Corpus => "Corpus",
         Kind::Run => "Run",
+        Kind::Experiment => "Experiment",
         Kind::Model => "Model",
     },
     what: "What",
@@ -41,10 +42,11 @@ pub(super) static ENGLISH: Text = Text {
     },
     no_corpus: |corpus| {
         format!(
-            "The corpus “{corpus}” of this run is not kept any more. Open its files again under Data, then go on with the run."
+            "The corpus “{corpus}” of this run is not kept any more. Open its files again under Data to see its rows or to go on with the run."
         )
     },
     wrong: |name, why| format!("“{name}” cannot be opened: {why}."),
+    is_back: |name| format!("The run “{name}” is here again, with its corpus."),
     goes_on: |name, pass, command| {
         format!("The run “{name}” goes on where it was: pass {pass}, command {command}.")
     },

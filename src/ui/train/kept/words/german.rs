@@ -7,7 +7,7 @@ use crate::ui::train::kept::state::Kind;
 /// The words.
 pub(super) static GERMAN: Text = Text {
     title: "Auf diesem Gerät aufbewahrt",
-    help: "Ein Lauf wird alle paar Sekunden von selbst aufbewahrt, samt seinem Korpus, und geht dort weiter, wo er war, wenn die Seite wieder geöffnet wird. Korpora und Modelle werden aufbewahrt, wenn du es sagst. Alles bleibt in diesem Browser, der es löschen kann, wenn seine Platte voll ist oder wenn du seine Daten löschst: Sichere als Datei, was nicht verloren gehen darf.",
+    help: "Ein Lauf wird alle paar Sekunden von selbst aufbewahrt, samt seinem Korpus, und geht dort weiter, wo er war, wenn die Seite wieder geöffnet wird. Was ein Experiment fand, wird von selbst aufbewahrt. Korpora und Modelle werden aufbewahrt, wenn du es sagst. Alles bleibt in diesem Browser, der es löschen kann, wenn seine Platte voll ist oder wenn du seine Daten löschst: Sichere als Datei, was nicht verloren gehen darf.",
     name: "Name",
     keep_corpus: "Korpus aufbewahren",
     keep_model: "Modell des Roboters aufbewahren",
@@ -15,6 +15,7 @@ pub(super) static GERMAN: Text = Text {
     kind: |kind| match kind {
         Kind::Corpus => "Korpus",
         Kind::Run => "Lauf",
+        Kind::Experiment => "Experiment",
         Kind::Model => "Modell",
     },
     what: "Was",
@@ -41,10 +42,11 @@ pub(super) static GERMAN: Text = Text {
     },
     no_corpus: |corpus| {
         format!(
-            "Der Korpus „{corpus}“ dieses Laufs ist nicht mehr aufbewahrt. Öffne seine Dateien wieder unter Daten, und lass den Lauf dann weitergehen."
+            "Der Korpus „{corpus}“ dieses Laufs ist nicht mehr aufbewahrt. Öffne seine Dateien wieder unter Daten, um seine Zeilen zu sehen oder den Lauf weitergehen zu lassen."
         )
     },
     wrong: |name, why| format!("„{name}“ kann nicht geöffnet werden: {why}."),
+    is_back: |name| format!("Der Lauf „{name}“ ist wieder da, mit seinem Korpus."),
     goes_on: |name, pass, command| {
         format!("Der Lauf „{name}“ geht weiter, wo er war: Durchgang {pass}, Befehl {command}.")
     },

@@ -29,6 +29,7 @@ pub struct Text {
     pub gone: fn(&str) -> String,
     pub no_corpus: fn(&str) -> String,
     pub wrong: fn(&str, &str) -> String,
+    pub is_back: fn(&str) -> String,
     pub goes_on: fn(&str, u32, usize) -> String,
     pub fault: fn(&Fault) -> String,
     pub run_fault: fn(&Fault, Option<(u32, usize)>) -> String,
