@@ -1,7 +1,7 @@
 // Messages to and from an engine, as far as the flows that measure need them: postcard's form (`protocol/wire.rs`), fields
 // in order without names. A test that reads wrong bytes fails loudly, so nothing here is checked.
 
-const VERSION = 11;
+const VERSION = 13;
 /** Places of the kinds in `Request` and `Event`. */
 const REQUESTS = { plan: 6, values: 7, roll_out: 8 };
 const EVENTS = { 9: 'planning', 10: 'planned', 11: 'values', 12: 'rolling_out', 13: 'rolled_out' };
@@ -35,7 +35,8 @@ const rules = ({ pull, robot, landmarks_stay, slip, lock, loss, luck }) =>
   [...[pull, robot, landmarks_stay].flatMap(flag), ...[slip, lock, loss].flatMap(float), ...whole(luck)];
 
 const BODIES = {
-  plan: (body) => [...text(body.form), ...state(body.state), ...rules(body.rules)],
+  // From where it was said.
+  plan: (body) => [...text(body.form), ...list([body.state], state), ...rules(body.rules)],
   // Of no task over time: no step of one is done.
   values: (body) => [...state(body.state), 0],
   roll_out: (body) => [...whole(body.runs), ...whole(body.seed)],

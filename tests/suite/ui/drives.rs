@@ -90,6 +90,7 @@ fn a_way_that_is_driven_can_be_what_is_not_meant() {
     page.act(Talk::Teach);
     assert_eq!(page.state.talk.teach.missing, Some(Missing::Demonstration));
     drive(&mut page, AROUND);
+    assert_eq!(offered(&page), None, "one such way is enough");
     page.act(Talk::Press(Key::Turn));
     page.act(Talk::Teach);
     assert_eq!(page.state.talk.teach.missing, Some(Missing::Way), "a contrast to what?");

@@ -24,8 +24,11 @@ fn posted(bench: &mut Bench, wanted: impl Fn(&Request) -> bool) -> u32 {
     bench.posted.remove(at.unwrap_or_else(|| panic!("{:?}", bench.posted))).0
 }
 
+/// What is kept at a place.
+type Kept = (Place, Vec<u8>);
+
 /// A run that has ended, and is kept with its corpus.
-fn ended() -> (Bench, (Place, Vec<u8>), (Place, Vec<u8>)) {
+fn ended() -> (Bench, Kept, Kept) {
     let mut bench = Bench::with(6);
     bench.data(data::Action::Offered(vec![file("mine.csv", "x")]));
     bench.answer(Event::Sheet(Box::new(report("mine.csv", 6))));
@@ -51,7 +54,7 @@ fn ended() -> (Bench, (Place, Vec<u8>), (Place, Vec<u8>)) {
 }
 
 /// A workbench that opens where this is kept.
-fn again(corpus: &(Place, Vec<u8>), run: &(Place, Vec<u8>)) -> Bench {
+fn again(corpus: &Kept, run: &Kept) -> Bench {
     let mut again = Bench::with(6);
     again.store(ask::News::Open);
     again.store(ask::News::Claimed(true));

@@ -3,11 +3,13 @@
 
 use super::state::{Missing, Offer, Teach};
 use super::trail::driving;
+use crate::domain::straight::passed;
 use crate::domain::{letters, read_letters, straight};
 use crate::ui::page::document::{Draft, Model, Said, Taught};
 use crate::ui::page::effect::Effect;
 use crate::ui::page::model;
 use crate::ui::page::shared::Shared;
+use crate::ui::page::way::states;
 use crate::ui::talk::command::state::MOST_CHARACTERS;
 use crate::ui::talk::room::state::Mode;
 use crate::ui::talk::state::State;
@@ -50,7 +52,10 @@ pub(crate) fn look(state: &mut State, shared: &Shared) {
     state.teach.straight = shared.document.draft.as_ref().and_then(|draft| {
         let driven = read_letters(draft.way.as_ref()?).ok()?;
         let other = letters(&straight(&draft.before, &driven)?);
-        (!draft.contrasts.contains(&other)).then_some(other)
+        // One way through these rooms that is not meant is enough.
+        let rooms = |way: &String| passed(&states(&draft.before, way), None);
+        let is_new = draft.contrasts.iter().all(|known| rooms(known) != rooms(&other));
+        is_new.then_some(other)
     });
 }
 
