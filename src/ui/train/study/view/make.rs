@@ -151,7 +151,8 @@ fn checks(
         });
         let say = act.reform(move |words| Action::Draft(Change::Must(at, words)));
         html! {
-            <div class="fields">
+            // By its place: what was chosen in one row is none of the next one's.
+            <div class="fields" key={at}>
                 { choice(format!("check-{at}").into(), text.check.into(), &shown, place, choose) }
                 if at < checks.len() { { line(format!("must-{at}"), text.must, "text", words, say) } }
             </div>
