@@ -1,4 +1,4 @@
-// Run by Trunk when the site is built: puts the site's absolute address (SITE_ADDRESS, such as https://example.org/robot/)
+// Part of building the site (finish.mjs): puts the site's absolute address (SITE_ADDRESS, such as https://example.org/robot/)
 // where the page's head needs one. Without it these stand relative to the page, which most of those who read them
 // understand, too.
 

@@ -1,4 +1,4 @@
-// Run by Trunk when the site is built for release: what a program and its script give each other gets short names in
+// Part of building the site for release (finish.mjs): what a program and its script give each other gets short names in
 // both, and scripts lose their indents and comments. Half of wasm-bindgen's names are hashes, which nothing packs.
 
 import { readFile, readdir, writeFile } from 'node:fs/promises';

@@ -1,4 +1,4 @@
-// Run by Trunk when the site is built for release: what the first view does without leaves the page's program for a second
+// Part of building the site for release (finish.mjs): what the first view does without leaves the page's program for a second
 // one, which comes after it and shares its memory, its tables and its functions. In the first program a short stub stands
 // for each function that left; it goes through a table that the second fills when it comes. Should one be wanted before,
 // the stub has the second fetched there and then (`late`, in boot.js). Works on the text form, where all have names.

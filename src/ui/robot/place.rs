@@ -24,6 +24,7 @@ pub(super) fn open(state: &mut State, world: World, preset: Option<usize>) {
     state.pilot.place_in(world.clone(), None);
     (state.world, state.preset, state.said, state.rehearsal) = (world, preset, None, None);
     (state.marks, state.uncalibrated, state.undrawn) = (None, None, None);
+    state.is_recalled = false;
 }
 
 /// A cell measures so many metres.

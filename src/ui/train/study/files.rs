@@ -103,7 +103,13 @@ pub(super) fn write(state: &State, desk: &mut Desk, what: Sheet) {
 /// The engine began anew: it is asked all that it was asked of answers.
 pub fn restore(state: &mut State, desk: &mut Desk) {
     (state.bringing, state.judging, state.making) = (None, None, None);
-    for again in std::mem::take(&mut state.log) {
+    let asked = std::mem::take(&mut state.log);
+    // What was decided is told by a review alone.
+    let is_decided = asked.iter().any(|ask| matches!(ask, StudyAsk::Decide(_)));
+    for again in asked {
         desk.send(Request::Study(again), false);
+    }
+    if is_decided {
+        review(state, desk);
     }
 }
