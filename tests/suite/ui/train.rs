@@ -50,6 +50,7 @@ impl Bench {
                     Event::Window(Box::new(Window { total: rows, offset, lines }))
                 }
                 Request::Facets => Event::Facets(Box::default()),
+                Request::Decisions => Event::Decisions { text: "parted".to_owned() },
                 Request::ShowRow { row } => {
                     Event::Row { row, pairs: vec![Shown { pair: pair(), run: None }] }
                 }
