@@ -14,9 +14,12 @@ const FLAGS = FEATURES.map((feature) => `--enable-${feature}`);
 
 /** Where what comes late is at home; whatever only these use goes with them. */
 const LATE = [
-  'ui::help', 'ui::kept', 'ui::app::view::kept', 'ui::app::view::address::share', 'ui::talk::past', 'ui::talk::proof',
-  'ui::talk::room::edit', 'ui::talk::room::worlds', 'ui::talk::share::also', 'ui::talk::share::session',
-  'ui::talk::teach::learn::learn', 'ui::talk::teach::learn::learn_besides', 'ui::talk::view::chart', 'ui::talk::view::edit',
+  'ui::help', 'ui::kept', 'ui::app::view::kept', 'ui::app::view::address::share', 'ui::app::view::keys::watch::{{closure}}',
+  'ui::page::view::files::read_all', 'ui::page::view::files::sort', 'ui::talk::command::ask::instead',
+  'ui::talk::past', 'ui::talk::proof', 'ui::talk::room::edit', 'ui::talk::room::hand::release',
+  'ui::talk::room::moved', 'ui::talk::room::worlds', 'ui::talk::share::also', 'ui::talk::share::session',
+  'ui::talk::teach::learn::learn', 'ui::talk::teach::learn::learn_besides', 'ui::talk::teach::learn::look',
+  'ui::talk::teach::trail', 'ui::talk::teach::unlike', 'ui::talk::view::chart', 'ui::talk::view::edit',
   'ui::talk::view::past::lines', 'ui::talk::view::planner', 'ui::talk::view::proof', 'ui::talk::view::readings',
   'ui::talk::view::rules', 'ui::talk::view::share::told', 'ui::talk::view::study', 'ui::talk::view::teach::lesson',
   'ui::talk::view::teach::refused', 'ui::talk::view::teach::taught', 'ui::talk::watch::chart', 'ui::talk::watch::values',
