@@ -112,8 +112,9 @@ if (process.env.TRUNK_PROFILE === 'release') {
     const at = path.join(folder, file);
     const beside = file.replace(/\.js$/, '_bg.wasm');
     const has = files.includes(beside);
-    // The page holds the digest of a script that has a hash for a name and no program.
-    if (!has && /-[0-9a-f]{16}\.js$/.test(file)) return;
+    // The page holds the digest of a script that has a hash for a name (whose zeros at the front are not written) and no
+    // program.
+    if (!has && /-[0-9a-f]{8,16}\.js$/.test(file)) return;
     const { program, names } = has ? shortened(await readFile(path.join(folder, beside))) : { names: new Map() };
     if (has) await writeFile(path.join(folder, beside), program);
     await writeFile(at, trimmed(await readFile(at, 'utf8'), names));
