@@ -29,7 +29,7 @@ const LATE = [
 const NAME = String.raw`\$(?:"(?:[^"\\]|\\.)*"|[^\s()"]+)`;
 const first = (form) => form.match(NAME)[0];
 const names = (text, pattern) => [...text.matchAll(new RegExp(pattern.replace('NAME', `(${NAME})`), 'g'))].map(([, name]) => name);
-const isLate = (name) => LATE.some((home) => name.includes(home));
+const isLate = (name) => LATE.some((home) => [`$${home}`, `$"${home}`, `$"<${home}`].some((own) => name.startsWith(own)));
 
 /** The parts of a program's text, by what they are. */
 function read(text) {
