@@ -14,7 +14,7 @@ const FLAGS = FEATURES.map((feature) => `--enable-${feature}`);
 
 /** Where what comes late is at home; whatever only these use goes with them. */
 const LATE = [
-  'ui::help', 'ui::kept', 'ui::app::view::kept', 'ui::app::view::address::share', 'ui::app::view::keys::watch::{{closure}}',
+  'ui::help', 'ui::kept', 'ui::app::view::kept', 'ui::app::view::address::share',
   'ui::page::view::files::read_all', 'ui::page::view::files::sort', 'ui::talk::command::ask::instead',
   'ui::talk::past', 'ui::talk::proof', 'ui::talk::room::edit', 'ui::talk::room::hand::release',
   'ui::talk::room::moved', 'ui::talk::room::worlds', 'ui::talk::share::also', 'ui::talk::share::session',
