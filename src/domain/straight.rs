@@ -68,14 +68,19 @@ pub fn arrived(states: &[State]) -> usize {
     states.iter().rposition(|state| Some(places(state)) != last).map_or(0, |at| at + 1)
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum Region {
+/// What a cell belongs to, by its place in the state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Region {
+    /// A room.
     Room(usize),
+    /// A door.
     Door(usize),
+    /// Neither.
     Wall,
 }
 
-fn region(state: &State, (x, y): (i32, i32)) -> Region {
+/// What a cell belongs to.
+pub fn region(state: &State, (x, y): (i32, i32)) -> Region {
     match cell_at(&state.rooms, &state.doors, x, y) {
         Cell::Door(door) => Region::Door(door),
         _ => {

@@ -9,7 +9,8 @@ use crate::ccg::{
     parse_words, words,
 };
 use crate::corpus::{Example, Pair};
-use crate::domain::{Cell, State, cell_at};
+use crate::domain::State;
+use crate::domain::straight::region;
 use crate::ground::{Goal, Validator, claim, noun};
 use crate::logic::{TermId, print, read, ty};
 
@@ -161,14 +162,6 @@ fn accounts(model: &Model, form: TermId, Pair { pre, post, .. }: &Pair) -> bool 
     }
     let back = State { agent: *was, ..post.clone() };
     !goal.holds(&back)
-}
-
-/// The place among rooms, or doors, of what a cell belongs to.
-fn region(state: &State, (x, y): (i32, i32)) -> (bool, Option<usize>) {
-    match cell_at(&state.rooms, &state.doors, x, y) {
-        Cell::Door(door) => (true, Some(door)),
-        _ => (false, state.rooms.iter().position(|room| room.bounds.strictly_inside(x, y))),
-    }
 }
 
 /// What an entry means, in plain words.
