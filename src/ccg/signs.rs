@@ -14,7 +14,23 @@ pub fn probability(model: &Model, parse: &Parse) -> Option<(f64, bool)> {
     parse.answer()?;
     let doubt = model.doubt.as_ref()?;
     let probability = doubt.probability(&signs(model, parse)?);
-    Some((probability, doubt.asks(probability)))
+    Some((probability, doubt.asks(probability) || lacks_verb(model, parse)))
+}
+
+/// Whether words were skipped, and no word that is left says what to do: one of those may have been the verb, and could
+/// have said the opposite ("flee the red room").
+fn lacks_verb(model: &Model, parse: &Parse) -> bool {
+    let Some(&best) = parse.readings.first().filter(|_| !parse.skipped.is_empty()) else {
+        return false;
+    };
+    let is_verb = |leaf: &&Derivation| match **leaf {
+        Derivation::Leaf { entry, .. } => {
+            let syntax = model.lexicon.category(entry).syntax;
+            model.grammar.syntaxes.sets_goal(syntax)
+        }
+        _ => false,
+    };
+    !parse.derivation(best).leaves().iter().any(is_verb)
 }
 
 /// The signs of a parse's best reading; `None` without one.
