@@ -321,6 +321,8 @@ impl Grammar {
         let is_noun = |syntax: SyntaxId| self.syntaxes.is(syntax, Atom::N);
         let describes = self.syntaxes.forward(shift.to);
         match describes {
+            // Where one passes is no command of its own.
+            _ if self.syntaxes.is(shift.from, Atom::VIA) => Made::ByShift,
             _ if shift.is_late() && !of.is_shifted() => Made::ByTask,
             Some((noun, of)) if [shift.from, noun, of].into_iter().all(is_noun) => {
                 Made::ByDescription

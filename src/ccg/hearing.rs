@@ -65,6 +65,11 @@ impl Hearing {
         {
             return false;
         }
+        // "Leave" is said of the place where one is; with more behind it, something else is left.
+        if syntax == SyntaxId::LIST && item.end < self.words.len() {
+            let joins = matches!(self.closed[item.end], Some(Kind::Joins | Kind::Orders));
+            return joins || self.empty[item.end].is_some();
+        }
         // What the robot is not to do says nothing of where a thing is not to be: "take it to the red room but not the blue".
         let of_robot = syntaxes.forbids_place(syntax) && item.end < self.words.len();
         let is_place = || syntaxes.is_in_time(syntax) || is_place_word(model, &self.words[item.end]);
@@ -78,12 +83,17 @@ impl Hearing {
     fn goes_on(&self, model: &Model, at: usize, in_time: bool) -> bool {
         let turns = |kind: &Option<Kind>| *kind == Some(Kind::Turns);
         let Some(next) = self.words.get(at + 1) else { return false };
-        if self.closed[at] != Some(Kind::Joins) || !self.closed[..at].iter().any(turns) {
+        let is_place = is_place_word(model, next);
+        // A place alone is of the thing that is moved, not of the robot.
+        let turned = self.closed[..at].iter().any(turns);
+        if self.closed[at] != Some(Kind::Joins)
+            || !turned && !(is_place && self.moves_thing(model, at))
+        {
             return false;
         }
         let end = self.closed.iter().skip(at + 1).position(Option::is_some);
         let mut rest = self.words[at + 1..end.map_or(self.words.len(), |n| at + 1 + n)].iter();
-        is_place_word(model, next)
+        is_place
             || begins_phrase(model, next)
                 && (in_time || !rest.any(|word| is_place_word(model, word)))
     }

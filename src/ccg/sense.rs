@@ -2,6 +2,7 @@
 //! a sentence that has only such readings has none. And one of several denials, which is what "or" comes to beside a word
 //! that denies ("anywhere but the red or the blue room"), is all of them.
 
+use crate::logic::signature::SortSet;
 use crate::logic::{LogicError, Node, Sorts, TermId, Terms};
 
 /// Whether somebody could mean a goal.
@@ -139,16 +140,34 @@ fn contradicts(terms: &Terms, parts: &[TermId]) -> bool {
     parts.iter().any(is_denied)
 }
 
-/// Whether one thing is said to have two qualities of one kind, such as colours.
+/// Whether one thing is said to have two qualities of one kind, such as colours, or to be in two places that have.
 fn mixes(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
-    let qualities = parts.iter().filter_map(|&part| {
-        let Node::Apply { args: &[of], .. } = terms.node(part) else { return None };
-        let name = terms.head_name(part)?;
-        let is_quality = matches!(terms.node(of), Node::Variable(_)) && !sorts.is_noun(name);
-        is_quality.then_some((of, sorts.of(name)?))
+    let own = parts.iter().flat_map(|&part| quality(terms, sorts, part));
+    let places = parts.iter().flat_map(|&part| {
+        let Some(&[thing, place]) = arguments(terms, part, "in") else { return Vec::new() };
+        let Some(&[property]) = arguments(terms, place, "the") else { return Vec::new() };
+        let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+        let all = parts.into_iter().flat_map(|part| quality(terms, sorts, part));
+        all.map(|(_, kind, name)| (thing, kind, name)).collect()
     });
-    let all: Vec<_> = qualities.collect();
-    (1..all.len()).any(|at| all[..at].contains(&all[at]))
+    [own.collect::<Vec<_>>(), places.collect()].iter().any(|all| {
+        let differs = |a: &(TermId, &[SortSet], &str), b: &(TermId, &[SortSet], &str)| {
+            a.0 == b.0 && a.1 == b.1 && a.2 != b.2
+        };
+        (1..all.len()).any(|at| all[..at].iter().any(|other| differs(other, &all[at])))
+    })
+}
+
+/// What a part says of a variable that is no noun: the variable, of what sorts it can be said, and what.
+fn quality<'a>(
+    terms: &'a Terms,
+    sorts: &'a Sorts,
+    part: TermId,
+) -> Option<(TermId, &'a [SortSet], &'a str)> {
+    let Node::Apply { args: &[of], .. } = terms.node(part) else { return None };
+    let name = terms.head_name(part)?;
+    let is_quality = matches!(terms.node(of), Node::Variable(_)) && !sorts.is_noun(name);
+    is_quality.then_some((of, sorts.of(name)?, name))
 }
 
 /// Whether something is said to be, or not to be, what its kind can never be: a chair other than the block. Or it is said
