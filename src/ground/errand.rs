@@ -7,12 +7,12 @@ use super::course::Course;
 use super::itinerary::Itinerary;
 use super::monitor::{Monitor, Residual, TooMany};
 use super::outline::{Part, Valuation};
-use super::strides::Strides;
+use super::strides::{Stages, Strides};
 use super::task::{TaskError, merged};
 use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Dynamics, Packed, Rules, State};
-use crate::mdp::{Mdp, Watch, Watched};
-use std::cell::{Cell, RefCell, RefMut};
+use crate::mdp::{Leaps, Mdp, Watch, Watched};
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 /// A task over time to be done from an initial state, under the rules of a world.
@@ -23,7 +23,6 @@ pub type Errand = Watched<Moves, Watcher>;
 pub struct Moves {
     dynamics: Rc<Dynamics>,
     start: Packed,
-    strides: RefCell<Option<Strides>>,
 }
 
 /// The monitor of a task over packed states.
@@ -41,6 +40,8 @@ pub struct Watcher {
     itinerary: Option<Itinerary>,
     /// By two guards, a lower bound on the actions from where the first holds to where the second does.
     legs: Vec<Vec<Option<u32>>>,
+    /// What plans are made of, where they are made of more than actions.
+    strides: RefCell<Option<Strides>>,
     /// Whether the task came to more stages than are kept: what was said since then is no proof.
     is_over: Cell<bool>,
 }
@@ -84,6 +85,7 @@ pub fn errand(course: &Course, initial: &State, rules: Rules) -> Result<Errand, 
         Some(found)
     });
     let is_mixed = guards.iter().any(|guard| guard.speaks_of_robot() && !guard.is_of_robot());
+    let strides = Strides::of(&dynamics, start);
     let dynamics = Rc::new(dynamics);
     let watcher = Watcher {
         dynamics: dynamics.clone(),
@@ -94,10 +96,10 @@ pub fn errand(course: &Course, initial: &State, rules: Rules) -> Result<Errand, 
         itinerary: itinerary.flatten(),
         monitor: RefCell::new(monitor),
         legs,
+        strides: RefCell::new(strides),
         is_over: Cell::new(false),
     };
-    let strides = RefCell::new(Strides::of(&dynamics, start));
-    Ok(Watched::new(Moves { dynamics, start, strides }, watcher))
+    Ok(Watched::new(Moves { dynamics, start }, watcher))
 }
 
 /// Which of some guards hold in a state.
@@ -140,11 +142,6 @@ impl Moves {
         self.start
     }
 
-    /// What plans can be made of, longer than actions.
-    pub(super) fn strides(&self) -> RefMut<'_, Option<Strides>> {
-        self.strides.borrow_mut()
-    }
-
     /// Whether nothing is left to chance: every action has one outcome in every state.
     pub fn is_deterministic(&self) -> bool {
         self.dynamics.is_deterministic(self.start)
@@ -162,15 +159,16 @@ impl Watcher {
         self.monitor.borrow().fails(Residual::at(stage))
     }
 
-    /// Which guards that are not about the robot hold in a state; nothing if some are about it and others alike.
-    pub(super) fn of_others(&self, state: Packed) -> Option<Valuation> {
-        let others = valuation(&self.guards, !self.of_robot, &self.dynamics, state);
-        (!self.is_mixed).then_some(others)
+    /// Appends the leaps from a state that bears its stage; whether there are such.
+    pub(super) fn leaps(&self, state: Packed, out: &mut Leaps<Packed>) -> bool {
+        let mut strides = self.strides.borrow_mut();
+        strides.as_mut().is_some_and(|own| own.leaps(&self.dynamics, self, state, out))
     }
 
-    /// The stage once the robot is seen at a place where such guards hold.
-    pub(super) fn step_at(&self, stage: u8, place: Place, others: Valuation) -> u8 {
-        self.progress(Residual::at(stage), self.at_place[usize::from(place)] | others)
+    /// Appends the actions of the leap of this number; whether there are leaps.
+    pub(super) fn way(&self, from: Packed, number: u16, out: &mut Vec<Action>) -> bool {
+        let mut strides = self.strides.borrow_mut();
+        strides.as_mut().is_some_and(|own| own.way(&self.dynamics, self, (from, number), out))
     }
 
     fn see(&self, from: Residual, state: Packed) -> u8 {
@@ -223,6 +221,24 @@ impl Watcher {
                 parts.iter().filter_map(|&part| self.onwards(monitor, from, part)).min()
             }
         }
+    }
+}
+
+impl Stages for Watcher {
+    fn seen(&self, stage: u8, state: Packed) -> u8 {
+        self.step(stage, state)
+    }
+
+    fn of_others(&self, state: Packed) -> Option<Valuation> {
+        let others = valuation(&self.guards, !self.of_robot, &self.dynamics, state);
+        (!self.is_mixed).then_some(others)
+    }
+
+    fn seen_at(&self, stage: u8, place: Place, others: Valuation) -> u8 {
+        if stage == LOST {
+            return LOST;
+        }
+        self.progress(Residual::at(stage), self.at_place[usize::from(place)] | others)
     }
 }
 

@@ -2,13 +2,23 @@
 //! enter a place where it does not, move an object by one cell, or try a door. Like the leaps of a goal of states
 //! (`Task`), of which the places that change the stage are the end.
 
-use super::errand::Errand;
 use super::outline::Valuation;
+use super::task::merged;
 use crate::domain::layout::Place;
-use crate::domain::{Entry, Form, Packed, Walks};
-use crate::mdp::{Leaps, Mdp, Watch, each_action};
+use crate::domain::{Action, Dynamics, Entry, Form, Packed, Walks};
+use crate::mdp::Leaps;
 use rustc_hash::FxHashMap;
 use std::rc::Rc;
+
+/// The stages of a task over time.
+pub(super) trait Stages {
+    /// The stage once a state is seen.
+    fn seen(&self, stage: u8, state: Packed) -> u8;
+    /// What holds in a state of all but the robot; nothing if that cannot be told apart.
+    fn of_others(&self, state: Packed) -> Option<Valuation>;
+    /// The stage once the robot is seen at a place where that holds.
+    fn seen_at(&self, stage: u8, place: Place, others: Valuation) -> u8;
+}
 
 /// Walks, and what is known of where they end.
 #[derive(Clone, Debug)]
@@ -22,7 +32,7 @@ pub(super) struct Strides {
 
 impl Strides {
     /// Those of a world, if it has any.
-    pub(super) fn of(dynamics: &crate::domain::Dynamics, start: Packed) -> Option<Self> {
+    pub(super) fn of(dynamics: &Dynamics, start: Packed) -> Option<Self> {
         let chances = dynamics.rules().chances;
         let has_any = dynamics.rules().form == Form::Compass && chances.slip() < 1.0;
         let is_sure =
@@ -31,27 +41,83 @@ impl Strides {
         has_any.then(|| Strides { walks: Walks::new(dynamics), is_sure, bars })
     }
 
-    /// Looks for what can be done next. Nothing if a robot that stays where it is comes to another stage.
-    fn explore(&mut self, errand: &Errand, state: Packed) -> Option<Rc<[Place]>> {
-        let (dynamics, watch) = (errand.problem().dynamics(), errand.watch());
+    /// Appends the leaps from a state that bears its stage; whether there are such.
+    pub(super) fn leaps(
+        &mut self,
+        dynamics: &Dynamics,
+        stages: &impl Stages,
+        state: Packed,
+        out: &mut Leaps<Packed>,
+    ) -> bool {
+        let Some(bars) = self.explore(dynamics, stages, state) else { return false };
         let (at, stage) = (state.unmarked(), state.mark());
-        if watch.step(stage, at) != stage {
+        let slip = dynamics.rules().chances.slip();
+        let seen = |next: Packed| next.marked(stages.seen(stage, next));
+        for (number, carry) in self.walks.carries(dynamics, at) {
+            let here = if self.is_sure {
+                out.ends.push((seen(carry.state), 1.0));
+                state
+            } else {
+                let stand = self.walks.stand(dynamics, at, carry);
+                let mut ends = Vec::new();
+                merged(dynamics, stand, carry.action, &mut ends);
+                out.ends.extend(ends.into_iter().map(|(next, p)| (seen(next), p)));
+                dynamics.quotient(stand).marked(stage)
+            };
+            out.close(number, carry.cost, slip, here);
+        }
+        for (number, Entry { place, side, cost }) in self.entries(dynamics, &bars) {
+            let Some(there) = dynamics.with_agent(at, place, side) else { continue };
+            out.ends.push((seen(dynamics.quotient(there)), 1.0 - slip));
+            if slip > 0.0 {
+                out.ends.push((state, slip));
+            }
+            out.close(usize::from(number), cost, slip, state);
+        }
+        true
+    }
+
+    /// Appends the actions of the leap of this number; whether there are leaps.
+    pub(super) fn way(
+        &mut self,
+        dynamics: &Dynamics,
+        stages: &impl Stages,
+        (from, number): (Packed, u16),
+        out: &mut Vec<Action>,
+    ) -> bool {
+        let Some(bars) = self.explore(dynamics, stages, from) else { return false };
+        let mut entries = self.entries(dynamics, &bars).into_iter();
+        if let Some((_, entry)) = entries.find(|(own, _)| *own == number) {
+            self.walks.enter(dynamics, entry, out);
+        } else if let Some(carry) =
+            self.walks.numbered(dynamics, from.unmarked(), usize::from(number))
+        {
+            self.walks.carry(dynamics, carry, out);
+        }
+        true
+    }
+
+    /// Looks for what can be done next. Nothing if a robot that stays where it is comes to another stage.
+    fn explore(
+        &mut self,
+        dynamics: &Dynamics,
+        stages: &impl Stages,
+        state: Packed,
+    ) -> Option<Rc<[Place]>> {
+        let (at, stage) = (state.unmarked(), state.mark());
+        if stages.seen(stage, at) != stage {
             return None;
         }
-        let bars = match watch.of_others(at) {
+        let places = dynamics.layout().places();
+        let bars = match stages.of_others(at) {
             Some(others) => {
+                let changes = |&place: &Place| stages.seen_at(stage, place, others) != stage;
                 let bars = self.bars.entry((stage, others));
-                let bars = bars.or_insert_with(|| {
-                    let changes = |&place: &Place| watch.step_at(stage, place, others) != stage;
-                    dynamics.layout().places().filter(changes).collect()
-                });
-                bars.clone()
+                bars.or_insert_with(|| places.filter(changes).collect()).clone()
             }
             None => {
-                let heading = dynamics.heading(at);
-                let changes =
-                    |&place: &Place| watch.step(stage, dynamics.posed(at, place, heading)) != stage;
-                dynamics.layout().places().filter(changes).collect()
+                let there = |place| dynamics.posed(at, place, dynamics.heading(at));
+                places.filter(|&place| stages.seen(stage, there(place)) != stage).collect()
             }
         };
         self.walks.explore_within(dynamics, at, &bars);
@@ -60,8 +126,7 @@ impl Strides {
 
     /// The ways to enter a place that changes the stage, each with its number; where the heading does not matter, a
     /// shortest one for each place.
-    fn entries(&self, errand: &Errand, bars: &[Place]) -> Vec<(u16, Entry)> {
-        let dynamics = errand.problem().dynamics();
+    fn entries(&self, dynamics: &Dynamics, bars: &[Place]) -> Vec<(u16, Entry)> {
         let mut entries: Vec<Entry> = Vec::new();
         for entry in self.walks.entries(dynamics, bars) {
             match entries.last_mut().filter(|last| last.place == entry.place) {
@@ -74,64 +139,5 @@ impl Strides {
             }
         }
         (0..=u16::MAX).rev().zip(entries).collect()
-    }
-}
-
-/// Appends the leaps of a task over time from a state that bears its stage.
-pub(super) fn leaps(
-    errand: &Errand,
-    whole: &impl Mdp<State = Packed>,
-    state: Packed,
-    out: &mut Leaps<Packed>,
-) {
-    let mut strides = errand.problem().strides();
-    let Some(strides) = strides.as_mut() else { return each_action(whole, state, out) };
-    let Some(bars) = strides.explore(errand, state) else { return each_action(whole, state, out) };
-    let (dynamics, watch) = (errand.problem().dynamics(), errand.watch());
-    let (at, stage) = (state.unmarked(), state.mark());
-    let slip = dynamics.rules().chances.slip();
-    for (number, carry) in strides.walks.carries(dynamics, at) {
-        let here = if strides.is_sure {
-            out.ends.push((carry.state.marked(watch.step(stage, carry.state)), 1.0));
-            state
-        } else {
-            let stand = strides.walks.stand(dynamics, at, carry);
-            let mut ends = Vec::new();
-            errand.successors((stand, stage), carry.action, &mut ends);
-            out.ends.extend(ends.into_iter().map(|((next, stage), p)| (next.marked(stage), p)));
-            dynamics.quotient(stand).marked(stage)
-        };
-        out.close(number, carry.cost, slip, here);
-    }
-    for (number, Entry { place, side, cost }) in strides.entries(errand, &bars) {
-        let Some(there) = dynamics.with_agent(at, place, side) else { continue };
-        let there = dynamics.quotient(there);
-        out.ends.push((there.marked(watch.step(stage, there)), 1.0 - slip));
-        if slip > 0.0 {
-            out.ends.push((state, slip));
-        }
-        out.close(usize::from(number), cost, slip, state);
-    }
-}
-
-/// Appends the actions of the leap of this number.
-pub(super) fn way(
-    errand: &Errand,
-    from: Packed,
-    number: u16,
-    out: &mut Vec<crate::domain::Action>,
-) {
-    let (dynamics, mut strides) = (errand.problem().dynamics(), errand.problem().strides());
-    let explored = strides.as_mut().and_then(|own| own.explore(errand, from).map(|b| (own, b)));
-    let Some((strides, bars)) = explored else {
-        return out.extend(errand.actions().get(usize::from(number)));
-    };
-    let entry = strides.entries(errand, &bars).into_iter().find(|(own, _)| *own == number);
-    if let Some((_, entry)) = entry {
-        strides.walks.enter(dynamics, entry, out);
-    } else if let Some(carry) =
-        strides.walks.numbered(dynamics, from.unmarked(), usize::from(number))
-    {
-        strides.walks.carry(dynamics, carry, out);
     }
 }

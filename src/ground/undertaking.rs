@@ -3,11 +3,10 @@
 
 use super::course::Course;
 use super::errand::{Errand, ErrandError, errand};
-use super::strides::{leaps, way};
 use super::task::Task;
 use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Dynamics, Packed, Rules, State};
-use crate::mdp::{Leaps, Mdp, Sharpened, Watch};
+use crate::mdp::{Leaps, Mdp, Sharpened, Watch, each_action};
 
 /// Something to be done from an initial state, under the rules of a world.
 #[derive(Debug)]
@@ -229,14 +228,22 @@ impl Mdp for Undertaking {
     fn leaps(&self, state: Packed, out: &mut Leaps<Packed>) {
         match self {
             Undertaking::Goal(task) => task.leaps(state, out),
-            Undertaking::Course(errand) => leaps(errand, self, state, out),
+            Undertaking::Course(errand) => {
+                if !errand.watch().leaps(state, out) {
+                    each_action(self, state, out);
+                }
+            }
         }
     }
 
     fn way(&self, from: Packed, number: u16, out: &mut Vec<Action>) {
         match self {
             Undertaking::Goal(task) => task.way(from, number, out),
-            Undertaking::Course(errand) => way(errand, from, number, out),
+            Undertaking::Course(errand) => {
+                if !errand.watch().way(from, number, out) {
+                    out.extend(self.actions().get(usize::from(number)));
+                }
+            }
         }
     }
 }
