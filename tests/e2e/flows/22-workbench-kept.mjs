@@ -143,9 +143,7 @@ flow('corpora and models are kept under a name, opened again, saved and deleted'
 });
 
 flow('a workbench without a store says so, and one in a second tab that the first keeps the runs', async (t) => {
-  const context = await t.context.browser().newContext({ serviceWorkers: 'block' });
-  try {
-    const page = await context.newPage();
+  await t.elsewhere({ serviceWorkers: 'block' }, async (page) => {
     await page.addInitScript(() => Object.defineProperty(globalThis, 'indexedDB', { value: undefined }));
     await page.goto(`${t.address}#train`);
     const demo = new Demo(t, page);
@@ -153,9 +151,7 @@ flow('a workbench without a store says so, and one in a second tab that the firs
     await demo.train();
     await demo.part('kept');
     await t.equal(() => demo.by('shelf-fault').getAttribute('data-fault'), 'none', 'the fault');
-  } finally {
-    await context.close();
-  }
+  });
   const first = await openTrain(t);
   await first.train();
   const second = new Demo(t, await t.open(`${t.address}#train`));

@@ -132,15 +132,15 @@ flow('on a phone a saved file is opened, too', { viewport: { width: 390, height:
 
 flow('a link is opened beside the session that is kept, and never over it', async (t) => {
   t.expect(/ERR_ABORTED/);
-  const maker = await t.context.browser().newContext();
-  const other = new Demo(t, await maker.newPage());
-  await other.page.goto(t.address);
-  await other.ready();
-  await other.ask('walk next to the yellow block');
-  await other.press('share');
-  await other.by('link').waitFor();
-  const link = await other.by('link').inputValue();
-  await maker.close();
+  const link = await t.elsewhere({}, async (page) => {
+    await page.goto(t.address);
+    const other = new Demo(t, page);
+    await other.ready();
+    await other.ask('walk next to the yellow block');
+    await other.press('share');
+    await other.by('link').waitFor();
+    return other.by('link').inputValue();
+  });
 
   const demo = await openPage(t);
   await demo.ask('go to the blue room');
@@ -185,24 +185,17 @@ flow('a damaged copy gives way to the one before it', async (t) => {
 });
 
 flow('no store, a newer store and an older page are told apart', async (t) => {
-  const told = async (setUp, fault, words) => {
-    const context = await t.context.browser().newContext({ serviceWorkers: 'block' });
-    try {
-      const page = await context.newPage();
-      await setUp(page);
-      await page.goto(t.address);
-      const demo = new Demo(t, page);
-      await demo.ready();
-      await demo.by('not-kept').waitFor();
-      await t.equal(() => demo.by('not-kept').getAttribute('data-fault'), fault, 'the fault');
-      await t.check(async () => words.test(await demo.by('not-kept').textContent()), () => demo.by('not-kept').textContent());
-      await demo.ask('go to the blue room');
-      await t.check(async () => (await demo.plain()) !== null, 'all else works');
-      return demo;
-    } finally {
-      await context.close();
-    }
-  };
+  const told = (setUp, fault, words) => t.elsewhere({ serviceWorkers: 'block' }, async (page) => {
+    await setUp(page);
+    await page.goto(t.address);
+    const demo = new Demo(t, page);
+    await demo.ready();
+    await demo.by('not-kept').waitFor();
+    await t.equal(() => demo.by('not-kept').getAttribute('data-fault'), fault, 'the fault');
+    await t.check(async () => words.test(await demo.by('not-kept').textContent()), () => demo.by('not-kept').textContent());
+    await demo.ask('go to the blue room');
+    await t.check(async () => (await demo.plain()) !== null, 'all else works');
+  });
   const made = (version) => async (page) => {
     await page.goto(`${t.address}help.en.html`);
     await page.evaluate(([name, number]) => new Promise((resolve) => {

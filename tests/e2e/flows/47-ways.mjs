@@ -43,17 +43,13 @@ flow('a contrast taught and used', async (t) => {
   await demo.press('share');
   await demo.by('link').waitFor();
   const link = await demo.by('link').inputValue();
-  const context = await t.context.browser().newContext();
-  try {
-    const page = await context.newPage();
+  await t.elsewhere({}, async (page) => {
     await page.goto(link);
     const other = new Demo(t, page);
     await other.ready();
     await t.equal(() => other.by('never').allTextContents(), ['never: the yellow room'], 'what came over');
     await t.equal(() => other.by('lesson-try').allTextContents(), [SHUN], 'the lesson');
-  } finally {
-    await context.close();
-  }
+  });
   const session = await demo.saved('save-session');
   const corpus = await demo.saved('save-lessons');
   const { runs } = JSON.parse(corpus);
