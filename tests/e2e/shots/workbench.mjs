@@ -40,6 +40,9 @@ flow('the workbench, step by step', { viewport: { width: 1280, height: 860 }, se
   await demo.press('run');
   await demo.by('runs').waitFor({ timeout: 120_000 });
   await take('experiments');
+  await demo.part('data');
+  await demo.press('audit');
+  await demo.says(/Every row is judged/);
   await demo.part('lexicon');
   await demo.by('learned-only').check();
   await take('lexicon');
