@@ -23,8 +23,7 @@ async function opened(demo, name, carried) {
 /** Sets the passes of the next run. */
 async function passes(demo, count) {
   await demo.part('run');
-  await demo.by('setting-epochs').fill(count);
-  await demo.by('setting-epochs').blur();
+  await demo.passes(count);
 }
 
 /** The figures that the page finds by cross-validation, and the file that repeats it. */

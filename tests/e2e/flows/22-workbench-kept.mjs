@@ -18,8 +18,7 @@ async function keptRun(demo, name, text, passes) {
   await demo.choose(name, text);
   await t.until('the file is open', async () => (await demo.corpus()).name === name);
   await demo.part('run');
-  await demo.by('setting-epochs').fill(`${passes}`);
-  await demo.by('setting-epochs').blur();
+  await demo.passes(passes);
   await demo.press('train');
   await demo.by('progress').waitFor();
   await demo.part('kept');

@@ -7,8 +7,7 @@ import { Demo, csv, openTrain, rows } from '../page.mjs';
 flow('a cross-validation is run, saved, and repeated from its file to the same figures', async (t) => {
   const demo = await openTrain(t);
   await demo.part('run');
-  await demo.by('setting-epochs').fill('3');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(3);
   await demo.part('experiments');
   await demo.by('folds').fill('3');
   await demo.by('folds').blur();
@@ -42,8 +41,7 @@ flow('four engines find what one finds', async (t) => {
     const demo = new Demo(t, page);
     await demo.by('row').first().waitFor();
     await demo.part('run');
-    await demo.by('setting-epochs').fill('2');
-    await demo.by('setting-epochs').blur();
+    await demo.passes(2);
     await demo.part('experiments');
     await demo.press('run');
     if (cores > 1) await t.check(async () => /by 4 engines/.test(await demo.by('pool').textContent()), 'four engines');
@@ -62,8 +60,7 @@ flow('the paper’s experiments are one press each', async (t) => {
   await t.check(async () => /Learned from 6 sentences; 6 of them/.test(await demo.by('six-found').textContent()), 'what was learned');
   await t.check(async () => /blue\(x\)[^]*carried out in \d+ steps/.test(await demo.by('six-found').textContent()), 'what was done');
   await demo.part('run');
-  await demo.by('setting-epochs').fill('1');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(1);
   await demo.part('experiments');
   await demo.by('paper-share').waitFor();
   await demo.press('table-2');
@@ -77,13 +74,9 @@ flow('the paper’s experiments are one press each', async (t) => {
 
 flow('learning curves, ablations and seeds are run on what is held out', { seconds: 240 }, async (t) => {
   const demo = await openTrain(t);
-  await demo.by('split-percent').fill('33');
-  await demo.by('split-by').selectOption({ label: 'single rows' });
-  await demo.press('split-share');
-  await t.check(async () => /held out/.test(await demo.by('corpus-count').textContent()), 'a share is held out');
+  await demo.holdOut(33);
   await demo.part('run');
-  await demo.by('setting-epochs').fill('1');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(1);
   await demo.part('experiments');
   const names = async (experiment) => {
     const before = await demo.by('runs').count();

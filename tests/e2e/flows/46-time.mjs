@@ -45,9 +45,7 @@ flow('where a demand leaves no way it is named, and what is meant can be done wi
   await t.equal(() => demo.rooms(), ['green', 'yellow', 'blue'], 'the way without');
   await t.equal(() => demo.why(), [], 'nothing is wrong any more');
 
-  await demo.press('share');
-  await demo.by('link').waitFor();
-  const link = await demo.by('link').inputValue();
+  const link = await demo.link();
   await t.elsewhere({}, async (page) => {
     await page.goto(link);
     const other = new Demo(t, page);

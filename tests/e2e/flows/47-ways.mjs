@@ -40,9 +40,7 @@ flow('a contrast taught and used', async (t) => {
   await t.equal(() => demo.rooms(), ['green', 'red', 'blue'], 'the word in a sentence never heard');
   await t.accessible('a word that was taught by a way');
 
-  await demo.press('share');
-  await demo.by('link').waitFor();
-  const link = await demo.by('link').inputValue();
+  const link = await demo.link();
   await t.elsewhere({}, async (page) => {
     await page.goto(link);
     const other = new Demo(t, page);

@@ -18,6 +18,8 @@ pub(super) static ENGLISH: Text = Text {
     open_row: |row| format!("Open row {row}"),
     seed: "known before",
     pick: |words| format!("Pick the entry of {words}"),
+    nothing_learned: "Nothing was learned beyond what was known before: it knew all the words.",
+    no_entry: "No entry holds this.",
     shown: |from, to, of| format!("{from} to {to} of {of} entries"),
     before: "Before",
     next: "Next",

@@ -18,6 +18,8 @@ pub(super) static GERMAN: Text = Text {
     open_row: |row| format!("Zeile {row} öffnen"),
     seed: "vorher bekannt",
     pick: |words| format!("Den Eintrag von {words} auswählen"),
+    nothing_learned: "Nichts wurde über das vorher Bekannte hinaus gelernt: Es kannte alle Wörter.",
+    no_entry: "Kein Eintrag enthält das.",
     shown: |from, to, of| format!("{from} bis {to} von {of} Einträgen"),
     before: "Zurück",
     next: "Weiter",
