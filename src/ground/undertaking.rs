@@ -3,10 +3,11 @@
 
 use super::course::Course;
 use super::errand::{Errand, ErrandError, errand};
+use super::strides::{leaps, way};
 use super::task::Task;
 use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Dynamics, Packed, Rules, State};
-use crate::mdp::{Leaps, Mdp, Sharpened, Watch, each_action};
+use crate::mdp::{Leaps, Mdp, Sharpened, Watch};
 
 /// Something to be done from an initial state, under the rules of a world.
 #[derive(Debug)]
@@ -228,14 +229,14 @@ impl Mdp for Undertaking {
     fn leaps(&self, state: Packed, out: &mut Leaps<Packed>) {
         match self {
             Undertaking::Goal(task) => task.leaps(state, out),
-            Undertaking::Course(_) => each_action(self, state, out),
+            Undertaking::Course(errand) => leaps(errand, self, state, out),
         }
     }
 
     fn way(&self, from: Packed, number: u16, out: &mut Vec<Action>) {
         match self {
             Undertaking::Goal(task) => task.way(from, number, out),
-            Undertaking::Course(_) => out.extend(self.actions().get(usize::from(number))),
+            Undertaking::Course(errand) => way(errand, from, number, out),
         }
     }
 }
