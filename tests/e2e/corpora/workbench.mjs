@@ -38,8 +38,7 @@ async function showsRuns(demo, text) {
 /** Sets the passes of the next run. */
 async function passes(demo, count) {
   await demo.part('run');
-  await demo.by('setting-epochs').fill(count);
-  await demo.by('setting-epochs').blur();
+  await demo.passes(count);
 }
 
 /** The figures that the page finds by cross-validation, and the file that repeats it. */

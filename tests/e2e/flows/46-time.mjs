@@ -45,21 +45,15 @@ flow('where a demand leaves no way it is named, and what is meant can be done wi
   await t.equal(() => demo.rooms(), ['green', 'yellow', 'blue'], 'the way without');
   await t.equal(() => demo.why(), [], 'nothing is wrong any more');
 
-  await demo.press('share');
-  await demo.by('link').waitFor();
-  const link = await demo.by('link').inputValue();
-  const context = await t.context.browser().newContext();
-  try {
-    const page = await context.newPage();
+  const link = await demo.link();
+  await t.elsewhere({}, async (page) => {
     await page.goto(link);
     const other = new Demo(t, page);
     await other.ready();
     await t.until('there is a plan', async () => (await other.by('plan').count()) > 0);
     await t.equal(() => other.plain(), await demo.plain(), 'what is done instead comes over');
     await t.equal(() => other.rooms(), ['green', 'yellow', 'blue'], 'and its way');
-  } finally {
-    await context.close();
-  }
+  });
 });
 
 flow('a robot that is carried where it may not be stops and asks; carried elsewhere it goes on', async (t) => {
