@@ -415,11 +415,8 @@ fn every_row_is_judged_and_what_the_model_learned_is_shown() {
     // What is used most comes first.
     let entries = |engine: &mut Engine<Learner>, learned| {
         let view = EntryView { learned, ..EntryView::default() };
-        let Event::Entries(found) =
-            only(ask(engine, Request::Entries { view, offset: 0, count: 50 }))
-        else {
-            panic!()
-        };
+        let asked = Request::Entries { view, offset: 0, count: 50 };
+        let Event::Entries(found) = only(ask(engine, asked)) else { panic!() };
         found
     };
     let learned = entries(&mut engine, true);
@@ -462,9 +459,9 @@ fn every_row_is_judged_and_what_the_model_learned_is_shown() {
     // What was learned is that of the model that came last.
     assert_eq!(entries(&mut engine, false).total as usize, less.entries);
     let Some(Event::Trained(again)) = ask(&mut engine, learn(4)).pop() else { panic!() };
-    let again_learned = entries(&mut engine, false);
-    assert_eq!((again_learned.total as usize, again.entries), (report.entries, report.entries));
-    assert!(again_learned.lines.iter().all(|line| line.uses.count == 0), "it was not asked yet");
+    let whole = entries(&mut engine, false);
+    assert_eq!((whole.total as usize, again.entries), (report.entries, report.entries));
+    assert!(whole.lines.iter().all(|line| line.uses.count == 0), "it was not asked yet");
 }
 
 #[test]
