@@ -111,9 +111,8 @@ pub(super) fn begins_phrase(model: &Model, word: &str) -> bool {
 /// Whether what describes a noun begins with the word.
 pub(super) fn is_adjective(model: &Model, word: &str) -> bool {
     is(model, word, |all, syntax| {
-        all.forward(syntax).is_some_and(|parts| {
-            [parts.0, parts.1].into_iter().all(|part| all.is(part, Atom::N))
-        })
+        all.forward(syntax)
+            .is_some_and(|parts| [parts.0, parts.1].into_iter().all(|part| all.is(part, Atom::N)))
     })
 }
 

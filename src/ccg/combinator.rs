@@ -471,9 +471,7 @@ impl RuleId {
     /// Whether the normal form admits the rule on constituents made so (Eisner 1996).
     pub fn admits(self, left: Made, right: Made) -> bool {
         match RULES.get(usize::from(self.0)).map(|rule| rule.functor) {
-            Some(Side::Left) => {
-                left != Made::ByForwardComposition && right != Made::ByDescription
-            }
+            Some(Side::Left) => left != Made::ByForwardComposition && right != Made::ByDescription,
             Some(Side::Right) => {
                 right != Made::ByBackwardComposition && left != Made::ByDescription
             }

@@ -72,7 +72,8 @@ impl Hearing {
         }
         // What the robot is not to do says nothing of where a thing is not to be: "take it to the red room but not the blue".
         let of_robot = syntaxes.forbids_place(syntax) && item.end < self.words.len();
-        let is_place = || syntaxes.is_in_time(syntax) || is_place_word(model, &self.words[item.end]);
+        let is_place =
+            || syntaxes.is_in_time(syntax) || is_place_word(model, &self.words[item.end]);
         !(of_robot && is_place() && self.moves_thing(model, item.start))
     }
 
@@ -100,14 +101,15 @@ impl Hearing {
 
     /// Whether a thing is moved before a place: a verb stands there that takes one, and no place right behind it.
     fn moves_thing(&self, model: &Model, at: usize) -> bool {
-        self.words[..at].windows(2).any(|pair| {
-            moves(model, &pair[0]) && !is_place_word(model, &pair[1])
-        })
+        self.words[..at]
+            .windows(2)
+            .any(|pair| moves(model, &pair[0]) && !is_place_word(model, &pair[1]))
     }
 
     /// Whether a phrase cannot begin at a place: a noun stands there, and before it what describes it.
     pub(super) fn is_within_phrase(&self, model: &Model, at: usize) -> bool {
-        let describes = |at: usize| self.closed[at].is_none() && is_adjective(model, &self.words[at]);
+        let describes =
+            |at: usize| self.closed[at].is_none() && is_adjective(model, &self.words[at]);
         at > 0 && describes(at - 1) && is_bare_noun(model, &self.words[at])
     }
 

@@ -123,8 +123,7 @@ fn derive(
     }
     for late in [false, true] {
         for base in found.clone() {
-            let is_plain =
-                !matches!(base.made, Made::ByShift | Made::ByTask | Made::ByDescription);
+            let is_plain = !matches!(base.made, Made::ByShift | Made::ByTask | Made::ByDescription);
             if !late && !is_plain {
                 continue;
             }
