@@ -11,7 +11,7 @@ use super::model::Model;
 use super::syntax::{Atom, SyntaxId, Syntaxes};
 
 /// What stands for a thing that was named before.
-const PRONOUNS: [&str; 2] = ["it", "them"];
+pub(super) const PRONOUNS: [&str; 2] = ["it", "them"];
 
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -36,7 +36,8 @@ pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
 
 /// For every word whether it may go without meaning. Behind a word that turns round, a verb that begins another clause may
 /// not: silent, it would have that denied, too. A preposition next to the turning word says what is turned ("not to the red
-/// room but to the blue one"). Nor may a pronoun that is all a verb is done to ("take it to the red room").
+/// room but to the blue one"). Nor may a pronoun that is all a verb is done to ("take it to the red room"), or that stands
+/// behind a preposition in what orders or sets a condition ("until the chair is in it").
 fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     let closed = closed(words);
     let clauses = clauses_behind(model, words, &closed);
@@ -44,10 +45,11 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         at > 0 && closed[at - 1] == Some(Kind::Turns) && is(model, &words[at], is_preposition)
     };
     let first_noun = words.iter().position(|word| is(model, word, is_noun)).unwrap_or(words.len());
+    let orders = closed.iter().position(|&kind| kind == Some(Kind::Orders)).unwrap_or(words.len());
     let is_thing = |at: usize| {
-        PRONOUNS.contains(&&*words[at])
-            && (1..first_noun).contains(&at)
-            && is(model, &words[at - 1], takes_thing)
+        let is_done_to = || (1..first_noun).contains(&at) && is(model, &words[at - 1], takes_thing);
+        let is_in_condition = || at > orders && is(model, &words[at - 1], is_preposition);
+        PRONOUNS.contains(&&*words[at]) && (is_done_to() || is_in_condition())
     };
     let speaks = |at: usize| closed[at].is_some() || is_turned(at) || is_thing(at);
     (0..words.len()).map(|at| !speaks(at) && !clauses.contains(&at)).collect()
@@ -92,6 +94,46 @@ fn is_verb(all: &Syntaxes, syntax: SyntaxId) -> bool {
 fn takes_thing(all: &Syntaxes, syntax: SyntaxId) -> bool {
     let takes = all.forward(syntax).is_some_and(|(_, argument)| all.is(argument, Atom::NP));
     takes && is_verb(all, syntax)
+}
+
+/// Whether a noun begins with the word, or what describes one, or with a determiner: no verb and no preposition.
+pub(super) fn begins_phrase(model: &Model, word: &str) -> bool {
+    let is_determiner = |all: &Syntaxes, syntax: SyntaxId| {
+        let parts = all.forward(syntax);
+        parts.is_some_and(|(result, argument)| {
+            all.is(argument, Atom::N) && (all.is(result, Atom::NP) || all.is(result, Atom::N))
+        })
+    };
+    let is_phrase = is(model, word, is_determiner) || is(model, word, is_noun);
+    is_phrase && !is(model, word, is_verb) && !is(model, word, is_preposition)
+}
+
+/// Whether what describes a noun begins with the word.
+pub(super) fn is_adjective(model: &Model, word: &str) -> bool {
+    is(model, word, |all, syntax| {
+        all.forward(syntax).is_some_and(|parts| {
+            [parts.0, parts.1].into_iter().all(|part| all.is(part, Atom::N))
+        })
+    })
+}
+
+/// Whether the word is a noun and does not describe others.
+pub(super) fn is_bare_noun(model: &Model, word: &str) -> bool {
+    is(model, word, is_noun) && !is_adjective(model, word)
+}
+
+/// Whether a place follows the word, or the word is one.
+pub(super) fn is_place_word(model: &Model, word: &str) -> bool {
+    is(model, word, is_preposition) || is(model, word, |all, syntax| all.is(syntax, Atom::PP))
+}
+
+/// Whether the word brings a thing somewhere: `S/PP/NP`.
+pub(super) fn moves(model: &Model, word: &str) -> bool {
+    is(model, word, |all, syntax| {
+        let rest = all.forward(syntax).filter(|&(_, argument)| all.is(argument, Atom::NP));
+        let parts = rest.and_then(|(rest, _)| all.forward(rest));
+        parts.is_some_and(|(result, place)| all.is(result, Atom::S) && all.is(place, Atom::PP))
+    })
 }
 
 /// `PP/NP`.

@@ -56,6 +56,8 @@ pub(super) enum Side {
     Neither,
     /// Neither, and the right one may be no bare phrase that a shift made a command of.
     Beside,
+    /// Neither, and the left one may be no bare phrase that a shift made a command of.
+    Before,
 }
 
 /// How a constituent was made, as far as the normal form asks.
@@ -71,12 +73,15 @@ pub enum Made {
     ByShift,
     /// By the shift of a plain command to a clause of time.
     ByTask,
+    /// By the shift of a noun to what describes another noun: no functor takes it for an adjective ("not the chair" is no
+    /// "not red").
+    ByDescription,
 }
 
 impl Made {
     /// Whether a shift made it.
     pub(super) fn is_shifted(self) -> bool {
-        matches!(self, Made::ByShift | Made::ByTask)
+        matches!(self, Made::ByShift | Made::ByTask | Made::ByDescription)
     }
 }
 
@@ -187,7 +192,7 @@ pub const RULES: &[Rule] = &[
         },
         meaning: |terms, left, right| terms.bounded(right, left),
         written: |left, right| bounded(right, left),
-        functor: Side::Neither,
+        functor: Side::Before,
         made: Made::Plainly,
     },
     Rule {
@@ -290,7 +295,7 @@ impl Grammar {
         let (functor, argument) = match functor {
             Side::Left => (left, right),
             Side::Right => (right, left),
-            Side::Raised | Side::Neither | Side::Beside => {
+            Side::Raised | Side::Neither | Side::Beside | Side::Before => {
                 let make = || meaning(&mut self.terms, left, right).ok();
                 return *self.beside.entry((rule, left, right)).or_insert_with(make);
             }
@@ -308,6 +313,22 @@ impl Grammar {
             body = inner;
         }
         !self.terms.uses(body, 0)
+    }
+
+    /// How what a shift makes of a constituent is marked for the normal form.
+    pub fn shift_makes(&self, rule: RuleId, of: Made) -> Made {
+        let Some(shift) = self.shift(rule) else { return Made::ByShift };
+        let is_noun = |syntax: SyntaxId| self.syntaxes.is(syntax, Atom::N);
+        let describes = self.syntaxes.forward(shift.to);
+        match describes {
+            // Where one passes is no command of its own.
+            _ if self.syntaxes.is(shift.from, Atom::VIA) => Made::ByShift,
+            _ if shift.is_late() && !of.is_shifted() => Made::ByTask,
+            Some((noun, of)) if [shift.from, noun, of].into_iter().all(is_noun) => {
+                Made::ByDescription
+            }
+            _ => Made::ByShift,
+        }
     }
 
     /// Whether a shift throws away what it changes.
@@ -329,8 +350,11 @@ impl Grammar {
         match *parts {
             [left, right] => self.combine(rule, left, right, true),
             [part] => {
-                let shift = self.shift(rule)?.meaning;
-                self.terms.apply(shift, part).ok()
+                let shift = self.shift(rule)?;
+                if self.denies(part) && self.syntaxes.describes(shift.to) {
+                    return None;
+                }
+                self.terms.apply(shift.meaning, part).ok()
             }
             _ => None,
         }
@@ -346,6 +370,15 @@ impl Grammar {
             }
             [part] => Some(of(self.shift(rule)?.meaning).applied(vec![of(part)])),
             _ => None,
+        }
+    }
+
+    /// Whether a property is that something is not so. A thing is told by that only where "that is" or the like says so: "the
+    /// chair out of the red room" is no chair but where it is to be.
+    fn denies(&self, property: TermId) -> bool {
+        match self.terms.node(property) {
+            Node::Lambda { body, .. } => self.terms.head_name(body) == Some("not"),
+            _ => false,
         }
     }
 
@@ -431,16 +464,21 @@ impl RuleId {
             Some(Side::Right) => right[0],
             // What is raised is the second argument of its neighbour.
             Some(Side::Raised) => right[1],
-            Some(Side::Neither | Side::Beside) | None => false,
+            Some(Side::Neither | Side::Beside | Side::Before) | None => false,
         }
     }
 
     /// Whether the normal form admits the rule on constituents made so (Eisner 1996).
     pub fn admits(self, left: Made, right: Made) -> bool {
         match RULES.get(usize::from(self.0)).map(|rule| rule.functor) {
-            Some(Side::Left) => left != Made::ByForwardComposition,
-            Some(Side::Right) => right != Made::ByBackwardComposition,
+            Some(Side::Left) => {
+                left != Made::ByForwardComposition && right != Made::ByDescription
+            }
+            Some(Side::Right) => {
+                right != Made::ByBackwardComposition && left != Made::ByDescription
+            }
             Some(Side::Beside) => right != Made::ByShift,
+            Some(Side::Before) => left != Made::ByShift,
             _ => true,
         }
     }

@@ -316,9 +316,8 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
                     known.len() - 1
                 });
                 let edge = *self.chart.edge(child);
-                let made =
-                    if late && !edge.made.is_shifted() { Made::ByTask } else { Made::ByShift };
                 for &(rule, syntax) in &known[place].1 {
+                    let made = self.grammar.shift_makes(rule, edge.made);
                     self.shift_edge((child, edge), (rule, syntax), made, start as u32);
                 }
             }

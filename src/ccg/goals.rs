@@ -3,6 +3,7 @@
 
 use super::combinator::Grammar;
 use super::features::{Feature, FeatureId, Features, root_features};
+use super::sense::denied;
 use crate::logic::{ConstantId, Node, TermId, Terms, print};
 use rustc_hash::FxHashMap;
 use std::cell::{Cell, OnceCell};
@@ -50,6 +51,7 @@ impl Goals {
         let Grammar { terms, sorts, commutative, .. } = grammar;
         let goal = self.0.entry(meaning).or_insert_with(|| {
             let form = terms.ended(meaning);
+            let form = denied(terms, form).unwrap_or(form);
             let features = root_features(terms, sorts, form);
             let key = commuted(terms, commutative, form);
             let places = vec![Cell::new(None); features.len()];

@@ -2,7 +2,9 @@
 //! that the lexicon does not know as those that a general resource has them near, at a price. What was learned of a word
 //! goes before both.
 
-use super::absorb::empty_entries;
+use super::absorb::{
+    PRONOUNS, begins_phrase, empty_entries, is_adjective, is_bare_noun, is_place_word, moves,
+};
 use super::category::Category;
 use super::chart::Lexical;
 use super::clauses::Clauses;
@@ -50,7 +52,63 @@ impl Hearing {
                 self.understand(model, &general, (start, end), &mut items);
             }
         }
+        items.retain(|item| self.may_mean(model, item));
         items
+    }
+
+    /// Whether words may have a category where they stand, by what stands around them.
+    fn may_mean(&self, model: &Model, item: &Lexical) -> bool {
+        let (syntaxes, syntax) = (&model.grammar.syntaxes, item.category.syntax);
+        if let Some(clause) = syntaxes.joined(syntax)
+            && item.end == item.start + 1
+            && self.goes_on(model, item.start, clause == SyntaxId::T)
+        {
+            return false;
+        }
+        // "Leave" is said of the place where one is; with more behind it, something else is left.
+        if syntax == SyntaxId::LIST && item.end < self.words.len() {
+            let joins = matches!(self.closed[item.end], Some(Kind::Joins | Kind::Orders));
+            return joins || self.empty[item.end].is_some();
+        }
+        // What the robot is not to do says nothing of where a thing is not to be: "take it to the red room but not the blue".
+        let of_robot = syntaxes.forbids_place(syntax) && item.end < self.words.len();
+        let is_place = || syntaxes.is_in_time(syntax) || is_place_word(model, &self.words[item.end]);
+        !(of_robot && is_place() && self.moves_thing(model, item.start))
+    }
+
+    /// Whether a word that joins goes on with what was denied before it: no other clause begins behind it, for there stands
+    /// no verb, but a place, a noun or what describes one ("the room other than the red and the blue room"). Where a place
+    /// follows the noun, it may be a clause without its verb ("the chair out of the red room and the block out of the blue
+    /// room"), unless that would be another one in time.
+    fn goes_on(&self, model: &Model, at: usize, in_time: bool) -> bool {
+        let turns = |kind: &Option<Kind>| *kind == Some(Kind::Turns);
+        let Some(next) = self.words.get(at + 1) else { return false };
+        let is_place = is_place_word(model, next);
+        // A place alone is of the thing that is moved, not of the robot.
+        let turned = self.closed[..at].iter().any(turns);
+        if self.closed[at] != Some(Kind::Joins)
+            || !turned && !(is_place && self.moves_thing(model, at))
+        {
+            return false;
+        }
+        let end = self.closed.iter().skip(at + 1).position(Option::is_some);
+        let mut rest = self.words[at + 1..end.map_or(self.words.len(), |n| at + 1 + n)].iter();
+        is_place
+            || begins_phrase(model, next)
+                && (in_time || !rest.any(|word| is_place_word(model, word)))
+    }
+
+    /// Whether a thing is moved before a place: a verb stands there that takes one, and no place right behind it.
+    fn moves_thing(&self, model: &Model, at: usize) -> bool {
+        self.words[..at].windows(2).any(|pair| {
+            moves(model, &pair[0]) && !is_place_word(model, &pair[1])
+        })
+    }
+
+    /// Whether a phrase cannot begin at a place: a noun stands there, and before it what describes it.
+    pub(super) fn is_within_phrase(&self, model: &Model, at: usize) -> bool {
+        let describes = |at: usize| self.closed[at].is_none() && is_adjective(model, &self.words[at]);
+        at > 0 && describes(at - 1) && is_bare_noun(model, &self.words[at])
     }
 
     /// Whether a word speaks of time: it orders clauses or forbids something on the way. "And" alone does not.
@@ -75,7 +133,13 @@ impl Hearing {
         let joins = |at: usize| matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));
         let begins = |&at: &usize| {
             let verb = (at..self.words.len()).find(|&at| !joins(at));
-            joins(at) && !joins(at - 1) && verb.is_some_and(|verb| self.commands(model, verb))
+            // What is done to a thing that was named before belongs to that clause.
+            let goes_on = |verb: usize| {
+                self.words.get(verb + 1).is_some_and(|next| PRONOUNS.contains(&&**next))
+            };
+            joins(at)
+                && !joins(at - 1)
+                && verb.is_some_and(|verb| self.commands(model, verb) && !goes_on(verb))
         };
         (1..self.words.len()).filter(begins).fold(Clauses::ONE, Clauses::with)
     }

@@ -21,6 +21,7 @@ pub mod absorb;
 pub mod lookup;
 mod spelling;
 pub mod hearing;
+mod sense;
 pub mod goals;
 pub mod clauses;
 pub mod parse;

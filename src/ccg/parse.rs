@@ -14,6 +14,7 @@ use super::hearing::{self, Hearing, boxed, taken};
 use super::lexicon::EntryId;
 use super::lookup::lexical_item;
 use super::model::Model;
+use super::sense::makes_sense;
 use super::sentence::{is_too_long, words};
 use super::syntax::SyntaxId;
 use crate::logic::order::{sort_by, sort_by_key};
@@ -338,7 +339,16 @@ fn fill_clauses(model: &mut Model, hearing: &Hearing, config: ChartConfig) -> Pa
 fn fill_at(model: &mut Model, hearing: &Hearing, leniency: Leniency, config: ChartConfig) -> Parse {
     let costs = absorption(model, &hearing.words, &hearing.empty, leniency);
     let items = absorbing(hearing.items(model), &costs);
-    fill(model, &hearing.words, items, |_, _, _| true, config)
+    // Beside what turns round or orders, half a phrase is no clause: "never go to the red, room after the blue room".
+    let orders = |kind: &Option<Kind>| matches!(kind, Some(Kind::Turns | Kind::Orders));
+    let is_strict = hearing.closed.iter().any(orders);
+    let within: Vec<bool> = (0..hearing.words.len())
+        .map(|at| is_strict && hearing.is_within_phrase(model, at))
+        .collect();
+    let admit = |_: &Grammar, (start, _): (usize, usize), category: Category| {
+        !within[start] || !category.syntax.is_sentence()
+    };
+    fill(model, &hearing.words, items, admit, config)
 }
 
 /// Parses words from given lexical items, whose `item` is an entry's number, without the edges that `admit`
@@ -387,14 +397,15 @@ fn readings(model: &mut Model, goals: &mut Goals, chart: &Chart) -> Vec<Reading>
     ranked(&model.grammar.terms, found)
 }
 
-/// Whether an edge over a whole sentence means a goal, or a task over time: a command that was made a clause of one is
-/// no more than a command.
+/// Whether an edge over a whole sentence means a goal that somebody could mean, or a task over time: a command that was
+/// made a clause of one is no more than a command.
 pub fn is_goal(grammar: &Grammar, edge: &Edge) -> bool {
     let Category { syntax, meaning } = edge.category;
-    match syntax {
+    let is_goal = match syntax {
         SyntaxId::T => !edge.made.is_shifted(),
         _ => syntax.is_sentence() && matches!(grammar.terms.ty(meaning), ty::TRUTH | ty::RUN),
-    }
+    };
+    is_goal && makes_sense(&grammar.terms, &grammar.sorts, meaning)
 }
 
 /// Goals with their scores and edges, ranked. Goals that differ in the order of the arguments of a commutative relation

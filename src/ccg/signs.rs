@@ -14,7 +14,23 @@ pub fn probability(model: &Model, parse: &Parse) -> Option<(f64, bool)> {
     parse.answer()?;
     let doubt = model.doubt.as_ref()?;
     let probability = doubt.probability(&signs(model, parse)?);
-    Some((probability, doubt.asks(probability)))
+    Some((probability, doubt.asks(probability) || lacks_verb(model, parse)))
+}
+
+/// Whether words were skipped, and no word that is left says what to do: one of those may have been the verb, and could
+/// have said the opposite ("flee the red room").
+fn lacks_verb(model: &Model, parse: &Parse) -> bool {
+    let Some(&best) = parse.readings.first().filter(|_| !parse.skipped.is_empty()) else {
+        return false;
+    };
+    let is_verb = |leaf: &&Derivation| match **leaf {
+        Derivation::Leaf { entry, .. } => {
+            let syntax = model.lexicon.category(entry).syntax;
+            model.grammar.syntaxes.sets_goal(syntax)
+        }
+        _ => false,
+    };
+    !parse.derivation(best).leaves().iter().any(is_verb)
 }
 
 /// The signs of a parse's best reading; `None` without one.
@@ -43,6 +59,8 @@ pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
     let is_list = derivation.category().syntax.is_several();
     let misspelt = parse.words.iter().zip(words).filter(|(word, heard)| word != heard).count();
     let share = |count: usize, most: usize| count.min(most) as f64 / most as f64;
+    let is_silent = |&at: &usize| model.lexicon.has_content(&words[at]);
+    let silent = derivation.absorbed().into_iter().filter(is_silent).count();
     let values = [
         ("bias", 1.0),
         ("lead", behind(1).map_or(1.0, |lead| lead.clamp(0.0, 10.0) / 10.0)),
@@ -50,6 +68,7 @@ pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
         ("score", (best.score / n_words).clamp(-10.0, 10.0) / 10.0),
         ("skipped", share(parse.skipped.len(), 4)),
         ("skipped known", share(parse.skipped.iter().filter(known).count(), 3)),
+        ("silent", share(silent, 3)),
         ("misspelt", share(misspelt, 3)),
         ("far", f64::min(far, 6.0) / 6.0),
         ("learned", learned / f64::max(leaves, 1.0)),
@@ -62,7 +81,7 @@ pub fn signs(model: &Model, parse: &Parse) -> Option<Signs> {
     ];
     let mut signs: Signs = values.map(|(name, value)| (name.to_owned(), value)).into();
     // What it claims of what: each once.
-    let claims = root.iter().filter(|feature| matches!(feature, Feature::Head(_, 0, _)));
+    let claims = root.iter().filter(|feature| matches!(feature, Feature::Head(..)));
     for claim in claims {
         let name = model.feature_text(*claim).replace('\t', " ");
         if signs.iter().all(|(known, _)| *known != name) {

@@ -220,6 +220,34 @@ impl Syntaxes {
         }
     }
 
+    /// Whether the category is that of a word that forbids the robot a place: `T\T/NP`, `NEG/S`.
+    pub(super) fn forbids_place(&self, id: SyntaxId) -> bool {
+        let Some((rest, argument)) = self.forward(id) else { return false };
+        let is_clause = self.backward(rest) == Some((SyntaxId::T, SyntaxId::T));
+        is_clause && self.is(argument, Atom::NP) || rest == SyntaxId::NEG && argument == SyntaxId::S
+    }
+
+    /// Whether the category is that of what describes a noun before it: `N\N`.
+    pub(super) fn describes(&self, id: SyntaxId) -> bool {
+        let parts = self.backward(id);
+        parts.is_some_and(|(noun, of)| self.is(noun, Atom::N) && self.is(of, Atom::N))
+    }
+
+    /// Whether the category, once it has all it takes, is a sentence.
+    pub(super) fn sets_goal(&self, id: SyntaxId) -> bool {
+        match self.get(id) {
+            Syntax::Atom(_) => id.is_sentence(),
+            Syntax::Slash { result, .. } => self.sets_goal(result),
+        }
+    }
+
+    /// What a word between two clauses, such as `T\T/T` or `LIST\S/S`, takes behind it; nothing for any other.
+    pub(super) fn joined(&self, id: SyntaxId) -> Option<SyntaxId> {
+        let (rest, right) = self.forward(id)?;
+        let (whole, left) = self.backward(rest)?;
+        [whole, left, right].iter().all(|part| part.is_sentence()).then_some(right)
+    }
+
     /// The type of what the category means; `None` where that is left open.
     pub fn ty(&self, types: &mut Types, id: SyntaxId) -> Option<TyId> {
         match self.get(id) {

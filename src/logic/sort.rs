@@ -62,6 +62,17 @@ impl Sorts {
                 if ["or", "any"].contains(&name) {
                     return self.check_one(terms, args, around);
                 }
+                if name == "and" {
+                    // What is denied is denied of what the rest leaves.
+                    let is_denied = |arg: TermId| terms.head_name(arg) == Some("not");
+                    let (denied, claimed): (Vec<TermId>, Vec<TermId>) =
+                        args.iter().partition(|&&arg| is_denied(arg));
+                    let mut parts = claimed.into_iter().chain(denied);
+                    return parts.all(|part| self.check(terms, part, around));
+                }
+                if let ("eq", &[a, b]) = (name, &args[..]) {
+                    return self.meet(terms, [a, b], around);
+                }
                 let sets = self.arguments.get(name);
                 args.iter().enumerate().all(|(at, &arg)| {
                     let set = sets.and_then(|sets| sets.get(at)).copied().unwrap_or(SortSet::MAX);
@@ -74,10 +85,33 @@ impl Sorts {
         }
     }
 
+    /// Whether two arguments could stand for the same: variables keep the sorts that both sides can have.
+    fn meet(&self, terms: &Terms, sides: [TermId; 2], around: &mut Vec<SortSet>) -> bool {
+        let mut both = SortSet::MAX;
+        for side in sides {
+            both &= match terms.node(side) {
+                Node::Variable(index) => place(around, index).map_or(SortSet::MAX, |own| *own),
+                _ => match self.phrase(terms, side, around) {
+                    Some(own) => own,
+                    None => return false,
+                },
+            };
+        }
+        let mut variables = sides.into_iter().filter_map(|side| match terms.node(side) {
+            Node::Variable(index) => Some(index),
+            _ => None,
+        });
+        both != 0 && variables.all(|index| narrow(around, index, both))
+    }
+
     /// The same for one of several: each variable keeps the sorts that it has in any part that could be true.
     fn check_one(&self, terms: &Terms, parts: &[TermId], around: &mut Vec<SortSet>) -> bool {
         let mut found: Option<Vec<SortSet>> = None;
         for &part in parts {
+            // What could not be true by itself is nobody's alternative.
+            if !self.check(terms, part, &mut vec![SortSet::MAX; around.len()]) {
+                return false;
+            }
             let mut own = around.clone();
             if self.check(terms, part, &mut own) {
                 let joined = found.get_or_insert_with(|| vec![0; own.len()]);
@@ -123,9 +157,13 @@ impl Sorts {
 
 /// Leaves the variable of a de Bruijn index the sorts in `set`; whether any remain.
 fn narrow(around: &mut [SortSet], index: u32, set: SortSet) -> bool {
-    let Some(place) = around.len().checked_sub(index as usize + 1) else { return true };
-    around.get_mut(place).is_none_or(|own| {
+    place(around, index).is_none_or(|own| {
         *own &= set;
         *own != 0
     })
+}
+
+/// What is known of the variable of a de Bruijn index.
+fn place(around: &mut [SortSet], index: u32) -> Option<&mut SortSet> {
+    around.iter_mut().nth_back(index as usize)
 }

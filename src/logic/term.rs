@@ -278,6 +278,11 @@ impl Terms {
         }
     }
 
+    /// The name of the constant that an application or a constant is headed by.
+    pub fn head_name(&self, term: TermId) -> Option<&str> {
+        self.head_constant(term).map(|constant| self.name(constant))
+    }
+
     /// The constants of a term, in the order of their first occurrence.
     pub fn constants(&self, term: TermId) -> Vec<ConstantId> {
         let mut found = Vec::new();

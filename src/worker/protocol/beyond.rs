@@ -11,6 +11,8 @@ pub enum Beyond {
     Between,
     /// Conditions.
     Condition,
+    /// A place beside a door, which is a place itself.
+    Door,
     /// The robot's own steps and directions.
     Direction,
     /// How, how fast and how often.
@@ -19,9 +21,10 @@ pub enum Beyond {
     Deed,
 }
 
-const WORDS: [(Beyond, &str); 6] = [
+const WORDS: [(Beyond, &str); 7] = [
     (Beyond::Number, "two three four five six seven eight nine ten dozen twice thrice half count"),
     (Beyond::Between, "between betwixt among amongst"),
+    (Beyond::Door, "door doors doorway doorways entrance opening"),
     (Beyond::Condition, "if unless whether when whenever"),
     (
         Beyond::Direction,

@@ -14,6 +14,7 @@ flow('questions are answered from the world', async (t) => {
     ['is the yellow block in the blue room?', /^No/],
     ['are you in the green room?', /^Yes/],
     ['how many rooms are there?', /^3:/],
+    ['how many doors are there?', /^[234]: column \d/],
     ['where is the chair?', /no chair/],
     ['what can you do?', /bring things/],
     ['why are you here?', /cannot tell/],
@@ -42,6 +43,7 @@ flow('what lies beyond the language is named as such', async (t) => {
     ['if the block is in the red room go to the blue room', /conditions/],
     ['turn north', /directions/],
     ['open the door', /go somewhere/],
+    ['put the block next to the door', /a door is a place/],
   ]) {
     await demo.ask(command);
     const why = () => demo.by('why').allTextContents();

@@ -123,15 +123,16 @@ fn derive(
     }
     for late in [false, true] {
         for base in found.clone() {
-            let is_plain = !matches!(base.made, Made::ByShift | Made::ByTask);
+            let is_plain =
+                !matches!(base.made, Made::ByShift | Made::ByTask | Made::ByDescription);
             if !late && !is_plain {
                 continue;
             }
-            let made = if late && is_plain { Made::ByTask } else { Made::ByShift };
             for (rule, category) in model.grammar.shifted(base.category, late) {
                 if !model.grammar.fits(category.meaning) {
                     continue;
                 }
+                let made = model.grammar.shift_makes(rule, base.made);
                 let own = step(model, rule, &[base.category.meaning], category.meaning);
                 let score = base.score + own;
                 found.push(Derived { category, made, score });

@@ -102,6 +102,7 @@ fn what_lies_beyond_is_known_by_its_words() {
         ("3", Beyond::Number),
         ("seven", Beyond::Number),
         ("between", Beyond::Between),
+        ("door", Beyond::Door),
         ("if", Beyond::Condition),
         ("north", Beyond::Direction),
         ("slowly", Beyond::Manner),

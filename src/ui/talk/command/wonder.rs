@@ -13,6 +13,9 @@ use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
 use crate::worker::protocol::{Answer, Phrase, Referent, Refers, Request};
 
+/// What a question is about that asks how many doors there are.
+const DOORS: [&str; 3] = ["go to the door", "go to the doorway", "go to the entrance"];
+
 /// Asks what the question is about, or answers at once where that is nothing.
 pub(crate) fn ask(state: &mut State, shared: &mut Shared, query: Query, about: String) {
     state.settle(shared);
@@ -26,6 +29,14 @@ pub(crate) fn ask(state: &mut State, shared: &mut Shared, query: Query, about: S
         Query::Can | Query::Else => {
             let words = if query == Query::Can { text.can_do } else { text.cannot_tell };
             answer(state, shared, words.to_owned(), Vec::new());
+        }
+        // A door is no thing that a command is about, but a place.
+        Query::Count if DOORS.contains(&&*about) => {
+            let doors = shared.document.world.doors.iter();
+            let cells: Vec<Place> = doors.map(|d| (d.bounds.left, d.bounds.bottom)).collect();
+            let names: Vec<_> = cells.iter().map(|&cell| text.phrases.coordinates(cell)).collect();
+            let words = format!("{}: {}.", cells.len(), names.join("; "));
+            answer(state, shared, words, cells)
         }
         Query::Where if about == "go to the robot" => {
             let words = text.phrases.robot(&shared.document.world);

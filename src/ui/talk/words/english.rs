@@ -181,6 +181,9 @@ pub(super) static ENGLISH: Text = Text {
             Beyond::Between => {
                 format!("{words}: I know “in” and “next to”, but no place between two things.")
             }
+            Beyond::Door => {
+                format!("{words}: a door is a place to stand in or to go through; I know none beside it.")
+            }
             Beyond::Condition => format!("{words}: I do what is to be so, and know no conditions."),
             Beyond::Direction => {
                 format!("{words}: I go to rooms and things, not by steps and directions.")

@@ -184,6 +184,9 @@ pub(super) static GERMAN: Text = Text {
             Beyond::Between => format!(
                 "{words}: Ich kenne „in“ und „neben“, aber keinen Platz zwischen zwei Dingen."
             ),
+            Beyond::Door => format!(
+                "{words}: Eine Tür ist ein Ort, in dem man steht oder durch den man geht; einen daneben kenne ich nicht."
+            ),
             Beyond::Condition => {
                 format!("{words}: Ich tue, was so sein soll, und kenne keine Bedingungen.")
             }

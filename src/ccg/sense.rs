@@ -1,0 +1,213 @@
+//! What nobody means. Some goals are well typed and could hold, but say nothing, or something else than any speaker would:
+//! a sentence that has only such readings has none. And one of several denials, which is what "or" comes to beside a word
+//! that denies ("anywhere but the red or the blue room"), is all of them.
+
+use crate::logic::signature::SortSet;
+use crate::logic::{LogicError, Node, Sorts, TermId, Terms};
+
+/// Whether somebody could mean a goal.
+pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
+    let args = match terms.node(term) {
+        Node::Constant(_) | Node::Variable(_) => return true,
+        Node::Lambda { body, .. } => return makes_sense(terms, sorts, body),
+        Node::Apply { args, .. } => args,
+    };
+    let says_something = match (terms.head_name(term), args) {
+        (Some("the" | "argmax" | "argmin"), &[property, ..]) => {
+            body(terms, property) != Some(terms.truth())
+        }
+        (Some("not"), &[denied]) => {
+            !is_everywhere(terms, denied) && !is_narrow(terms, denied) && !is_door(terms, denied)
+        }
+        (Some("and"), parts) => {
+            let is_void = contradicts(terms, parts) || mixes(terms, sorts, parts);
+            !is_void && !excludes_idly(terms, sorts, parts)
+        }
+        _ => true,
+    };
+    says_something && args.iter().all(|&arg| makes_sense(terms, sorts, arg))
+}
+
+/// The goal with every choice between denials made their conjunction.
+///
+/// # Errors
+/// When the result is too large.
+pub(super) fn denied(terms: &mut Terms, term: TermId) -> Result<TermId, LogicError> {
+    match terms.node(term) {
+        Node::Constant(_) | Node::Variable(_) => Ok(term),
+        Node::Lambda { parameter, body } => {
+            let body = denied(terms, body)?;
+            terms.lambda(parameter, body)
+        }
+        Node::Apply { head, args } => {
+            let mut args = args.to_vec();
+            for arg in &mut args {
+                *arg = denied(terms, *arg)?;
+            }
+            match terms.head_name(head) {
+                Some("or") if are_denials(terms, &args) => {
+                    let all: Vec<_> = args.iter().flat_map(|&arg| conjuncts(terms, arg)).collect();
+                    terms.conjoin(&all)
+                }
+                _ => terms.apply_head(head, &args),
+            }
+        }
+    }
+}
+
+/// Whether each of several says the same as the others, and denies something besides.
+fn are_denials(terms: &Terms, several: &[TermId]) -> bool {
+    let parts: Vec<Vec<TermId>> = several.iter().map(|&one| conjuncts(terms, one)).collect();
+    let is_shared = |part: &TermId| parts.iter().all(|other| other.contains(part));
+    parts.iter().all(|own| {
+        let mut own = own.iter().filter(|part| !is_shared(part)).peekable();
+        own.peek().is_some() && own.all(|&part| terms.head_name(part) == Some("not"))
+    })
+}
+
+/// The parts of a conjunction; anything else is one.
+fn conjuncts(terms: &Terms, term: TermId) -> Vec<TermId> {
+    match terms.node(term) {
+        Node::Apply { args, .. } if terms.head_name(term) == Some("and") => args.to_vec(),
+        _ => vec![term],
+    }
+}
+
+/// What a function makes of its argument.
+fn body(terms: &Terms, function: TermId) -> Option<TermId> {
+    match terms.node(function) {
+        Node::Lambda { body, .. } => Some(body),
+        _ => None,
+    }
+}
+
+/// The arguments of a term with this head.
+fn arguments<'a>(terms: &'a Terms, term: TermId, name: &str) -> Option<&'a [TermId]> {
+    match terms.node(term) {
+        Node::Apply { args, .. } if terms.head_name(term) == Some(name) => Some(args),
+        _ => None,
+    }
+}
+
+/// Whether it is said of a place, by the innermost variable, that a thing is in it: which.
+fn stands(terms: &Terms, part: TermId) -> Option<TermId> {
+    match arguments(terms, part, "in")? {
+        &[thing, place] if terms.node(place) == Node::Variable(0) => Some(thing),
+        _ => None,
+    }
+}
+
+/// Whether it is that in some room a thing is not: denied, the thing would have to be in all rooms at once.
+fn is_everywhere(terms: &Terms, denied: TermId) -> bool {
+    let Some(&[property]) = arguments(terms, denied, "exists") else { return false };
+    let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+    let is_room = |&part: &TermId| terms.head_name(part) == Some("room");
+    let is_outside = |&part: &TermId| match arguments(terms, part, "not") {
+        Some(&[inside]) => stands(terms, inside).is_some(),
+        _ => false,
+    };
+    parts.iter().any(is_room) && parts.iter().any(is_outside)
+}
+
+/// Whether a thing is to leave the place where it is, if that is none of some others: "the other room, not the red one".
+fn is_narrow(terms: &Terms, denied: TermId) -> bool {
+    let Some(&[thing, place]) = arguments(terms, denied, "in") else { return false };
+    let Some(&[property]) = arguments(terms, place, "the") else { return false };
+    let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+    parts.iter().any(|&part| stands(terms, part) == Some(thing))
+        && parts.iter().any(|&part| terms.head_name(part) == Some("not"))
+}
+
+/// Whether a thing is in a door, where nothing ever is: denied, nothing would be asked for.
+fn is_door(terms: &Terms, denied: TermId) -> bool {
+    let Some(&[_, place]) = arguments(terms, denied, "in") else { return false };
+    let Some(&[property]) = arguments(terms, place, "the") else { return false };
+    let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+    parts.iter().any(|&part| terms.head_name(part) == Some("door"))
+}
+
+/// Whether something is claimed and denied, be it as one of several.
+fn contradicts(terms: &Terms, parts: &[TermId]) -> bool {
+    let several = |part: TermId| match arguments(terms, part, "or") {
+        Some(several) => several.to_vec(),
+        None => vec![part],
+    };
+    let claimed: Vec<TermId> = parts.iter().flat_map(|&part| several(part)).collect();
+    let is_denied = |&part: &TermId| match arguments(terms, part, "not") {
+        Some(&[denied]) => several(denied).iter().any(|one| claimed.contains(one)),
+        _ => false,
+    };
+    parts.iter().any(is_denied)
+}
+
+/// Whether one thing is said to have two qualities of one kind, such as colours, or to be in two places that have.
+fn mixes(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
+    let own = parts.iter().flat_map(|&part| quality(terms, sorts, part));
+    let places = parts.iter().flat_map(|&part| {
+        let Some(&[thing, place]) = arguments(terms, part, "in") else { return Vec::new() };
+        let Some(&[property]) = arguments(terms, place, "the") else { return Vec::new() };
+        let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+        let all = parts.into_iter().flat_map(|part| quality(terms, sorts, part));
+        all.map(|(_, kind, name)| (thing, kind, name)).collect()
+    });
+    [own.collect::<Vec<_>>(), places.collect()].iter().any(|all| {
+        let differs = |a: &(TermId, &[SortSet], &str), b: &(TermId, &[SortSet], &str)| {
+            a.0 == b.0 && a.1 == b.1 && a.2 != b.2
+        };
+        (1..all.len()).any(|at| all[..at].iter().any(|other| differs(other, &all[at])))
+    })
+}
+
+/// What a part says of a variable that is no noun: the variable, of what sorts it can be said, and what.
+fn quality<'a>(
+    terms: &'a Terms,
+    sorts: &'a Sorts,
+    part: TermId,
+) -> Option<(TermId, &'a [SortSet], &'a str)> {
+    let Node::Apply { args: &[of], .. } = terms.node(part) else { return None };
+    let name = terms.head_name(part)?;
+    let is_quality = matches!(terms.node(of), Node::Variable(_)) && !sorts.is_noun(name);
+    is_quality.then_some((of, sorts.of(name)?, name))
+}
+
+/// Whether something is said to be, or not to be, what its kind can never be: a chair other than the block. Or it is said
+/// not to be what has all its properties: the chair other than the chair.
+fn excludes_idly(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
+    parts.iter().any(|&part| {
+        let denied = arguments(terms, part, "not").and_then(|denied| denied.first().copied());
+        let Some(&[a, b]) = arguments(terms, denied.unwrap_or(part), "eq") else { return false };
+        let (index, phrase) = match (terms.node(a), terms.node(b)) {
+            (Node::Variable(index), _) => (index, b),
+            (_, Node::Variable(index)) => (index, a),
+            _ => return false,
+        };
+        let Some(&[property]) = arguments(terms, phrase, "the") else { return false };
+        let of_phrase = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+        let is_own = |part: &TermId| parts.contains(part);
+        if denied.is_some() && index == 0 && of_phrase.iter().all(is_own) {
+            return true;
+        }
+        let [own, other] = [kinds(terms, sorts, parts, index), kinds(terms, sorts, &of_phrase, 0)];
+        !own.is_empty() && !other.is_empty() && !own.iter().any(|kind| other.contains(kind))
+    })
+}
+
+/// What the thing of a variable may be, by what is said of it: nouns; none where nothing is said.
+fn kinds<'a>(terms: &'a Terms, sorts: &Sorts, parts: &[TermId], index: u32) -> Vec<&'a str> {
+    let mut found = Vec::new();
+    for &part in parts {
+        let Node::Apply { args, .. } = terms.node(part) else { continue };
+        match (terms.head_name(part), args) {
+            (Some("or"), args) => {
+                let all = args.iter().map(|&arg| conjuncts(terms, arg));
+                found.extend(all.flat_map(|own| kinds(terms, sorts, &own, index)));
+            }
+            (Some("object"), _) => {}
+            (Some(name), &[of]) if terms.node(of) == Node::Variable(index) => {
+                found.extend(sorts.is_noun(name).then_some(name));
+            }
+            _ => {}
+        }
+    }
+    found
+}
