@@ -19,6 +19,7 @@ pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
         (Some("not"), &[denied]) => {
             !is_everywhere(terms, denied) && !is_narrow(terms, denied) && !is_door(terms, denied)
         }
+        (Some("until"), &[_, first, next]) => !is_undone(terms, first, next),
         (Some("and"), parts) => {
             let is_void = contradicts(terms, parts) || mixes(terms, sorts, parts);
             !is_void && !excludes_idly(terms, sorts, parts) && !excludes_half(terms, parts)
@@ -124,6 +125,19 @@ fn is_door(terms: &Terms, denied: TermId) -> bool {
     let Some(&[property]) = arguments(terms, place, "the") else { return false };
     let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
     parts.iter().any(|&part| terms.head_name(part) == Some("door"))
+}
+
+/// Whether a thing is to be somewhere, and then not: whoever leaves a place when a thing is there is the robot.
+fn is_undone(terms: &Terms, first: TermId, next: TermId) -> bool {
+    let undone = arguments(terms, next, "until").and_then(|then| then.get(1).copied());
+    let denied = undone.and_then(|undone| arguments(terms, undone, "not"));
+    let Some(&[thing, _]) = arguments(terms, first, "in") else { return false };
+    let is_robot = |thing: TermId| {
+        let property = arguments(terms, thing, "the").and_then(|args| args.first().copied());
+        let body = property.and_then(|property| body(terms, property));
+        body.is_some_and(|body| terms.head_name(body) == Some("agent"))
+    };
+    denied == Some(&[first]) && !is_robot(thing)
 }
 
 /// Whether something is claimed and denied, be it as one of several.
