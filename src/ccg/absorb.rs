@@ -51,7 +51,14 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         let is_in_condition = || at > orders && is(model, &words[at - 1], is_preposition);
         PRONOUNS.contains(&&*words[at]) && (is_done_to() || is_in_condition())
     };
-    let speaks = |at: usize| closed[at].is_some() || is_turned(at) || is_thing(at);
+    // What is denied first is said, where another clause begins behind it ("don't go there, go to the blue room").
+    let is_denied = |at: usize| {
+        !clauses.is_empty()
+            && at > 0
+            && closed[at - 1] == Some(Kind::Turns)
+            && is(model, &words[at], is_verb)
+    };
+    let speaks = |at: usize| closed[at].is_some() || is_turned(at) || is_thing(at) || is_denied(at);
     (0..words.len()).map(|at| !speaks(at) && !clauses.contains(&at)).collect()
 }
 

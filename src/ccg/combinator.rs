@@ -227,8 +227,11 @@ fn raised_composition(terms: &mut Terms, x: TermId, g: TermId) -> Result<TermId,
     terms.lambda(argument, both)
 }
 
-/// `λx. f(x) ∧ g(x)`
+/// `λx. f(x) ∧ g(x)`; not with a denial, by which nothing is told without "that".
 fn conjoin_properties(terms: &mut Terms, f: TermId, g: TermId) -> Result<TermId, LogicError> {
+    if terms.denies(g) {
+        return Err(LogicError::TypeMismatch);
+    }
     let x = terms.variable(0, ty::ENTITY)?;
     let both = [terms.apply(f, x)?, terms.apply(g, x)?];
     let body = terms.conjoin(&both)?;
@@ -351,7 +354,9 @@ impl Grammar {
             [left, right] => self.combine(rule, left, right, true),
             [part] => {
                 let shift = self.shift(rule)?;
-                if self.denies(part) && self.syntaxes.describes(shift.to) {
+                // A thing is told by what is not so only where "that is" or the like says so: "the chair out of the red
+                // room" is no chair but where it is to be.
+                if self.terms.denies(part) && self.syntaxes.describes(shift.to) {
                     return None;
                 }
                 self.terms.apply(shift.meaning, part).ok()
@@ -370,15 +375,6 @@ impl Grammar {
             }
             [part] => Some(of(self.shift(rule)?.meaning).applied(vec![of(part)])),
             _ => None,
-        }
-    }
-
-    /// Whether a property is that something is not so. A thing is told by that only where "that is" or the like says so: "the
-    /// chair out of the red room" is no chair but where it is to be.
-    fn denies(&self, property: TermId) -> bool {
-        match self.terms.node(property) {
-            Node::Lambda { body, .. } => self.terms.head_name(body) == Some("not"),
-            _ => false,
         }
     }
 

@@ -264,6 +264,7 @@ impl<A: FnMut(&Grammar, (usize, usize), Category) -> bool> Filling<'_, A> {
         let (left, right) = (chart.edges[l as usize], chart.edges[r as usize]);
         let Grid { split, rule, syntax, own, .. } = *grid;
         if !rule.admits(left.made, right.made)
+            || right.made == Made::ByShift && grammar.syntaxes.forbids_along(left.category.syntax)
             || !config.allow_throwing && rule.throws(left.throws, right.throws)
         {
             return true;

@@ -15,7 +15,7 @@ use super::lexicon::{EntryId, Origin};
 use super::lookup::lexical_items;
 use super::model::Model;
 use super::spelling::heard;
-use super::syntax::SyntaxId;
+use super::syntax::{Atom, SyntaxId};
 use crate::logic::read;
 use std::sync::Arc;
 
@@ -69,6 +69,15 @@ impl Hearing {
         if syntax == SyntaxId::LIST && item.end < self.words.len() {
             let joins = matches!(self.closed[item.end], Some(Kind::Joins | Kind::Orders));
             return joins || self.empty[item.end].is_some();
+        }
+        // Behind a clause "there" is where that one led, not where one was ("push it into the red room, then get out of there").
+        let orders = |kind: &Option<Kind>| matches!(kind, Some(Kind::Joins | Kind::Orders));
+        if syntaxes.is(syntax, Atom::PP)
+            && self.words[item.start..item.end].last().is_some_and(|word| word == "there")
+            && self.closed[item.start].is_some()
+            && self.closed[..item.start].iter().any(orders)
+        {
+            return false;
         }
         // What the robot is not to do says nothing of where a thing is not to be: "take it to the red room but not the blue".
         let of_robot = syntaxes.forbids_place(syntax) && item.end < self.words.len();

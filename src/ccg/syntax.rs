@@ -220,6 +220,16 @@ impl Syntaxes {
         }
     }
 
+    /// Whether the category is that of a word that says of a clause of time what must not be so along it: `T\T/S`. It takes
+    /// what is done, no bare phrase ("without the chair" is no place to be kept clear of).
+    pub(super) fn forbids_along(&self, id: SyntaxId) -> bool {
+        let Some((rest, argument)) = self.forward(id) else { return false };
+        let parts = self.forward(rest).or_else(|| self.backward(rest));
+        let is_clause = |id: SyntaxId| id == SyntaxId::T || id == SyntaxId::S;
+        argument == SyntaxId::S
+            && parts.is_some_and(|(whole, of)| whole == SyntaxId::T && is_clause(of))
+    }
+
     /// Whether the category is that of a word that forbids the robot a place: `T\T/NP`, `NEG/S`.
     pub(super) fn forbids_place(&self, id: SyntaxId) -> bool {
         let Some((rest, argument)) = self.forward(id) else { return false };

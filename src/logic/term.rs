@@ -278,6 +278,14 @@ impl Terms {
         }
     }
 
+    /// Whether a property is that something is not so.
+    pub fn denies(&self, property: TermId) -> bool {
+        match self.node(property) {
+            Node::Lambda { body, .. } => self.head_name(body) == Some("not"),
+            _ => false,
+        }
+    }
+
     /// The name of the constant that an application or a constant is headed by.
     pub fn head_name(&self, term: TermId) -> Option<&str> {
         self.head_constant(term).map(|constant| self.name(constant))
