@@ -116,7 +116,7 @@ mod exports {
         postcard::to_allocvec(&world).map_err(|error| error.to_string())
     }
 
-    fn teller(told: &Function, fault: Fault) -> impl FnOnce() + 'static {
+    fn teller(told: &Function, fault: Fault) -> impl FnOnce() + Clone + 'static {
         let told = told.clone();
         move || {
             // The page listens as long as it lives.

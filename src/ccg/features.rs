@@ -45,6 +45,8 @@ pub enum Feature {
     Then(ConstantId, ConstantId),
     /// Of one thing a relation is said twice, to be so at once: a thing is seldom in two places.
     Twice(ConstantId),
+    /// Of one thing two adjectives are said, to be so at once: a thing seldom has two colours.
+    Adjectives,
 }
 
 impl Feature {
@@ -65,7 +67,7 @@ impl Feature {
             Feature::Entry(_) => Kind::Entry,
             Feature::Rule(_) => Kind::Rule,
             Feature::Pair(..) => Kind::Pair,
-            Feature::Conjoined(..) => Kind::Conjoined,
+            Feature::Conjoined(..) | Feature::Adjectives => Kind::Conjoined,
             Feature::Alone(_) => Kind::Alone,
             Feature::Head(..) | Feature::Heads(..) | Feature::Then(..) | Feature::Twice(_) => {
                 Kind::Head
@@ -93,7 +95,8 @@ impl Feature {
             | Feature::Conjoined(..)
             | Feature::Alone(_)
             | Feature::Then(..)
-            | Feature::Twice(_) => 1.0,
+            | Feature::Twice(_)
+            | Feature::Adjectives => 1.0,
         }
     }
 }
@@ -361,18 +364,24 @@ impl Occurring<'_> {
 
     /// What some conjuncts say of one thing that one of those before says of it, too.
     fn collect_twice(&mut self, conjuncts: &[TermId]) {
-        let said = |&term: &TermId| match self.terms.node(term) {
-            Node::Apply { head, args: &[thing, _] } => match self.terms.node(head) {
-                Node::Constant(relation) if self.terms.ty(thing) == ty::ENTITY => {
-                    Some((relation, thing))
-                }
-                _ => None,
-            },
-            _ => None,
-        };
-        let all: Vec<(ConstantId, TermId)> = conjuncts.iter().filter_map(said).collect();
+        let all: Vec<(ConstantId, TermId)> =
+            conjuncts.iter().filter_map(|&part| self.relation_of(part)).collect();
         let twice = all.iter().enumerate().filter(|(at, one)| all[..*at].contains(one));
         self.features.extend(twice.map(|(_, &(relation, _))| Feature::Twice(relation)));
+    }
+
+    /// What a conjunct says of which thing, if it says one relation of it: either way, where it is an alternative.
+    fn relation_of(&self, conjunct: TermId) -> Option<(ConstantId, TermId)> {
+        let Node::Apply { head, args } = self.terms.node(conjunct) else { return None };
+        let Node::Constant(relation) = self.terms.node(head) else { return None };
+        match *args {
+            [thing, _] if self.terms.ty(thing) == ty::ENTITY => Some((relation, thing)),
+            [first, ref others @ ..] if self.terms.name(relation) == "or" => {
+                let said = self.relation_of(first)?;
+                others.iter().all(|&part| self.relation_of(part) == Some(said)).then_some(said)
+            }
+            _ => None,
+        }
     }
 
     /// The pairs of predicates in a conjunction, each on what the conjunction is about.
@@ -386,6 +395,9 @@ impl Occurring<'_> {
             let pairs = predicates[place + 1..].iter().map(|&b| Feature::Conjoined(first, b));
             self.features.extend(pairs);
         }
+        predicates.dedup();
+        let adjectives = predicates.iter().filter(|&&one| self.is_adjective(one)).count();
+        self.features.extend((1..adjectives).map(|_| Feature::Adjectives));
     }
 
     /// The predicates that are claimed of the innermost variable.
@@ -404,6 +416,12 @@ impl Occurring<'_> {
             }
             _ => about(&body).into_iter().collect(),
         }
+    }
+
+    /// Whether a predicate says how a thing is, not what it is.
+    fn is_adjective(&self, predicate: ConstantId) -> bool {
+        let name = self.terms.name(predicate);
+        self.sorts.of(name).is_some_and(|sorts| sorts.len() == 1) && !self.sorts.is_noun(name)
     }
 
     fn is_and(&self, head: TermId) -> bool {

@@ -97,7 +97,7 @@ impl Hearing {
         // A place alone is of the thing that is moved, not of the robot.
         let turned = self.closed[..at].iter().any(turns);
         if self.closed[at] != Some(Kind::Joins)
-            || !turned && !(is_place && self.moves_thing(model, at))
+            || !(turned || is_place && self.moves_thing(model, at))
         {
             return false;
         }

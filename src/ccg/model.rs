@@ -431,6 +431,7 @@ impl Model {
             }
             Feature::Heads(a, b) => format!("heads\t{}\t{}", self.constant(a), self.constant(b)),
             Feature::Twice(relation) => format!("twice\t{}", self.constant(relation)),
+            Feature::Adjectives => "adjectives".to_owned(),
             Feature::Then(a, b) => format!("then\t{}\t{}", self.constant(a), self.constant(b)),
         }
     }
@@ -467,6 +468,7 @@ impl Model {
             }
             ["heads", a, b] => Feature::Heads(self.read_constant(a)?, self.read_constant(b)?),
             ["twice", relation] => Feature::Twice(self.read_constant(relation)?),
+            ["adjectives"] => Feature::Adjectives,
             ["then", a, b] => Feature::Then(self.read_constant(a)?, self.read_constant(b)?),
             _ => {
                 let begin: String = fields.concat().chars().take(20).collect();

@@ -22,7 +22,7 @@ pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
         (Some("until"), &[_, first, next]) => !is_undone(terms, first, next),
         (Some("and"), parts) => {
             let is_void = contradicts(terms, parts) || mixes(terms, sorts, parts);
-            !is_void && !excludes_idly(terms, sorts, parts)
+            !is_void && !excludes_idly(terms, sorts, parts) && !excludes_half(terms, parts)
         }
         _ => true,
     };
@@ -203,6 +203,29 @@ fn excludes_idly(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
         }
         let [own, other] = [kinds(terms, sorts, parts, index), kinds(terms, sorts, &of_phrase, 0)];
         !own.is_empty() && !other.is_empty() && !own.iter().any(|kind| other.contains(kind))
+    })
+}
+
+/// Whether a thing is to be in two places at once, one of which is told by what it is not: of what is listed behind "other
+/// than" only a part would be excluded, and the rest asked for.
+fn excludes_half(terms: &Terms, parts: &[TermId]) -> bool {
+    let denies = |&part: &TermId| match arguments(terms, part, "not") {
+        Some(&[denied]) => terms.head_name(denied) != Some("in"),
+        _ => false,
+    };
+    let place = |&part: &TermId| -> Option<(TermId, bool)> {
+        if let Some(&[property]) = arguments(terms, part, "exists") {
+            let of_place = conjuncts(terms, body(terms, property)?);
+            let thing = of_place.iter().find_map(|&part| stands(terms, part))?;
+            return Some((thing, of_place.iter().any(denies)));
+        }
+        let &[thing, place] = arguments(terms, part, "in")? else { return None };
+        let &[property] = arguments(terms, place, "the")? else { return None };
+        Some((thing, conjuncts(terms, body(terms, property)?).iter().any(denies)))
+    };
+    let places: Vec<(TermId, bool)> = parts.iter().filter_map(place).collect();
+    places.iter().enumerate().any(|(at, &(thing, excludes))| {
+        excludes && places.iter().enumerate().any(|(other, &(of, _))| other != at && of == thing)
     })
 }
 

@@ -38,4 +38,4 @@ pub use preview::{Preview, preview};
 pub use read::{Reading, Rows, read};
 pub use role::Role;
 pub use source::text_of;
-pub use split::{Fold, folds, share};
+pub use split::{Fold, folds, leave, share};

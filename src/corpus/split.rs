@@ -50,6 +50,34 @@ pub fn share(keys: &[String], percent: u32, seed: u32) -> Fold {
     Fold::with_test(keys.len() as u32, test)
 }
 
+/// Leaves all examples of `n` keys out: keys come in an order that `seed` shuffles, and one without which a kind of
+/// examples, of which there is one an example, would be gone from the training half stays.
+pub fn leave(keys: &[String], kinds: &[String], n: usize, seed: u32) -> Fold {
+    let mut left: IndexMap<&str, usize, FxBuildHasher> = IndexMap::default();
+    for kind in kinds {
+        *left.entry(kind).or_default() += 1;
+    }
+    let mut test = Vec::new();
+    let mut n_out = 0;
+    for group in shuffled(keys, seed) {
+        if n_out == n {
+            break;
+        }
+        let mut less = left.clone();
+        for kind in group.iter().filter_map(|&row| kinds.get(row as usize)) {
+            if let Some(left) = less.get_mut(kind.as_str()) {
+                *left -= 1;
+            }
+        }
+        if less.values().all(|&left| left > 0) {
+            left = less;
+            n_out += 1;
+            test.extend(group);
+        }
+    }
+    Fold::with_test(keys.len() as u32, test)
+}
+
 /// The examples of each key, keys in an order that `seed` shuffles.
 fn shuffled(keys: &[String], seed: u32) -> Vec<Vec<u32>> {
     let mut groups: IndexMap<&str, Vec<u32>, FxBuildHasher> = IndexMap::default();

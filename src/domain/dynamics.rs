@@ -113,15 +113,15 @@ impl Dynamics {
             self.layout.place(x, y).ok_or_else(|| PackError::InWall(name.to_owned()))
         };
         let agent = place("agent", state.agent.x, state.agent.y)?;
-        let mut packed = Packed(0).with(0, SMALL, state.agent.direction as u128);
-        packed = packed.with(SMALL, self.width, u128::from(agent));
+        let mut packed = Packed(0).with(0, SMALL, state.agent.direction as u64);
+        packed = packed.with(SMALL, self.width, u64::from(agent));
         for (i, o) in state.objects.iter().enumerate().take(self.n_objects()) {
-            let here = u128::from(place(&o.name, o.x, o.y)?);
+            let here = u64::from(place(&o.name, o.x, o.y)?);
             packed = packed.with(self.object_shift(i), self.width, here);
         }
         for (door, lock) in state.doors.iter().zip(&self.doors) {
             if let DoorLock::Field { shift } = *lock {
-                packed = packed.with(shift, SMALL, door.lock as u128);
+                packed = packed.with(shift, SMALL, door.lock as u64);
             }
         }
         Ok(packed)
@@ -169,7 +169,7 @@ impl Dynamics {
     /// The same with the robot even where an object stands, as one sees it who sees the robot alone.
     #[must_use]
     pub fn posed(&self, packed: Packed, place: Place, heading: Direction) -> Packed {
-        facing(packed.with(SMALL, self.width, u128::from(place)), heading)
+        facing(packed.with(SMALL, self.width, u64::from(place)), heading)
     }
 
     /// Where the object with this index is.
@@ -200,7 +200,7 @@ impl Dynamics {
     #[must_use]
     pub fn with_lock(&self, packed: Packed, door: usize, lock: Lock) -> Packed {
         match self.doors.get(door) {
-            Some(&DoorLock::Field { shift }) => packed.with(shift, SMALL, lock as u128),
+            Some(&DoorLock::Field { shift }) => packed.with(shift, SMALL, lock as u64),
             _ => packed,
         }
     }
@@ -236,7 +236,7 @@ impl Dynamics {
                 if let DoorLock::Field { shift } = *door
                     && is_unknown(packed, shift)
                 {
-                    result = result.with(shift, SMALL, found as u128);
+                    result = result.with(shift, SMALL, found as u64);
                 }
             }
         }
@@ -268,8 +268,8 @@ impl Dynamics {
         heading: Direction,
     ) -> Packed {
         let heading = if self.rules.pull { heading } else { Direction::North };
-        let moved = packed.with(SMALL, self.width, u128::from(agent));
-        facing(moved.with(self.object_shift(object), self.width, u128::from(to)), heading)
+        let moved = packed.with(SMALL, self.width, u64::from(agent));
+        facing(moved.with(self.object_shift(object), self.width, u64::from(to)), heading)
     }
 
     /// The state with the robot in a door that it found open, in compass form.
@@ -339,18 +339,18 @@ impl Dynamics {
     }
 
     fn agent_to(&self, packed: Packed, place: Place) -> Packed {
-        self.enter(packed, place).with(SMALL, self.width, u128::from(place))
+        self.enter(packed, place).with(SMALL, self.width, u64::from(place))
     }
 
     fn object_to(&self, packed: Packed, object: usize, place: Place) -> Packed {
-        self.enter(packed, place).with(self.object_shift(object), self.width, u128::from(place))
+        self.enter(packed, place).with(self.object_shift(object), self.width, u64::from(place))
     }
 
     /// Notes that a door was tried, if the place belongs to one, and found open.
     #[inline]
     fn enter(&self, packed: Packed, place: Place) -> Packed {
         match self.layout.door(place).map(|d| self.doors[d]) {
-            Some(DoorLock::Field { shift }) => packed.with(shift, SMALL, Lock::Unlocked as u128),
+            Some(DoorLock::Field { shift }) => packed.with(shift, SMALL, Lock::Unlocked as u64),
             _ => packed,
         }
     }
@@ -410,7 +410,7 @@ impl Attempt {
 
 #[inline]
 const fn facing(packed: Packed, direction: Direction) -> Packed {
-    packed.with(0, SMALL, direction as u128)
+    packed.with(0, SMALL, direction as u64)
 }
 
 #[inline]

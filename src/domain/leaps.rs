@@ -41,6 +41,17 @@ pub struct Carry {
     stand: (Place, Direction),
 }
 
+/// A walk into a place that others do not enter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry {
+    /// The place.
+    pub place: Place,
+    /// Where the robot comes to face.
+    pub side: Direction,
+    /// Actions in all.
+    pub cost: u32,
+}
+
 impl Walks {
     /// Walks in a world, none looked for yet.
     #[must_use]
@@ -56,6 +67,21 @@ impl Walks {
 
     /// Finds the walks to what can be moved and tried in a state; or to everywhere.
     pub fn explore(&mut self, dynamics: &Dynamics, state: Packed, everywhere: bool) {
+        self.explore_up_to(dynamics, state, &[], everywhere);
+    }
+
+    /// The same for walks that enter none of some places, but may end before one.
+    pub fn explore_within(&mut self, dynamics: &Dynamics, state: Packed, bars: &[Place]) {
+        self.explore_up_to(dynamics, state, bars, false);
+    }
+
+    fn explore_up_to(
+        &mut self,
+        dynamics: &Dynamics,
+        state: Packed,
+        bars: &[Place],
+        everywhere: bool,
+    ) {
         let Self { flood, objects, doors, contacts } = self;
         flood.clear();
         objects.fill(NONE);
@@ -72,7 +98,12 @@ impl Walks {
             objects[usize::from(place)] = object as u16;
             flood.block(place);
         }
+        bars.iter().for_each(|&bar| flood.block(bar));
         let layout = dynamics.layout();
+        for &bar in bars {
+            let beside = layout.neighbours(bar).into_iter().filter(|&to| to != NOWHERE);
+            beside.for_each(|place| flood.want(place));
+        }
         let mut meet = |place: Place, thing: u16, is_pulled: bool| {
             for (stand, side) in layout.neighbours(place).into_iter().zip(Direction::ALL) {
                 if stand == NOWHERE {
@@ -100,6 +131,28 @@ impl Walks {
     /// robot's own comes first.
     pub fn reached(&self) -> impl Iterator<Item = (Place, u32)> + '_ {
         self.flood.reached()
+    }
+
+    /// The ways to enter one of the places that [`Walks::explore_within`] went up to, those of one place together.
+    pub fn entries<'a>(
+        &'a self,
+        dynamics: &'a Dynamics,
+        bars: &'a [Place],
+    ) -> impl Iterator<Item = Entry> + 'a {
+        let is_free = |bar: &&Place| self.objects[usize::from(**bar)] == NONE;
+        bars.iter().filter(is_free).flat_map(move |&place| {
+            Direction::ALL.iter().filter_map(move |&side| {
+                let before = dynamics.layout().neighbour(place, side.opposite());
+                let steps = if before == NOWHERE { None } else { self.flood.steps(before) };
+                Some(Entry { place, side, cost: steps? + 1 })
+            })
+        })
+    }
+
+    /// Appends the actions of a walk into such a place.
+    pub fn enter(&self, dynamics: &Dynamics, entry: Entry, out: &mut Vec<Action>) {
+        self.walk(dynamics.layout().neighbour(entry.place, entry.side.opposite()), out);
+        out.push(step(entry.side));
     }
 
     /// All ways to move an object or to try a door next, after [`Walks::explore`] of the same state; each with its number.

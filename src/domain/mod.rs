@@ -23,7 +23,7 @@ pub use cell::{Cell, cell_at};
 pub use dynamics::Dynamics;
 pub use generate::{Plan, generate};
 pub use layout::Layout;
-pub use leaps::{Carry, Walks};
+pub use leaps::{Carry, Entry, Walks};
 pub use name::UnknownName;
 pub use object::{Agent, Bounds, Color, Direction, Door, Lock, Object, Room, Shape, Size};
 pub use packing::{PackError, Packed};

@@ -20,9 +20,9 @@ impl Dynamics {
         let mut left = 1.0 - chances.slip();
         for place in attempt.entered {
             if let Some(shift) = self.untried(still, place) {
-                let locked = still.with(shift, SMALL, Lock::Locked as u128);
+                let locked = still.with(shift, SMALL, Lock::Locked as u64);
                 add(out, from, locked, left * chances.lock());
-                still = still.with(shift, SMALL, Lock::Unlocked as u128);
+                still = still.with(shift, SMALL, Lock::Unlocked as u64);
                 left *= 1.0 - chances.lock();
             }
         }

@@ -53,16 +53,32 @@ impl Packed {
         (self.0 >> Self::MARKABLE) as u8
     }
 
-    /// The value of the `width` bits from `shift`.
+    /// The value of the `width` bits from `shift`; at most 16.
     #[inline]
     pub(super) const fn field(self, shift: u32, width: u32) -> Place {
-        ((self.0 >> shift) & ((1 << width) - 1)) as Place
+        let (low, high) = (self.0 as u64, (self.0 >> 64) as u64);
+        let bits = match shift {
+            0..64 => low >> shift | (high << 1) << (63 - shift),
+            _ => high >> (shift - 64),
+        };
+        (bits & ((1 << width) - 1)) as Place
     }
 
     /// The same with `value` in the `width` bits from `shift`.
     #[inline]
-    pub(super) const fn with(self, shift: u32, width: u32, value: u128) -> Self {
-        let mask = ((1 << width) - 1) << shift;
-        Self((self.0 & !mask) | (value << shift))
+    pub(super) const fn with(self, shift: u32, width: u32, value: u64) -> Self {
+        let (mask, value) = (at((1 << width) - 1, shift), at(value, shift));
+        Self((self.0 & !mask) | value)
     }
+}
+
+/// So few bits, from `shift` on. By halves: where a word has 64 bits or less, to shift by what is not known beforehand is
+/// a call for 128.
+#[inline]
+const fn at(bits: u64, shift: u32) -> u128 {
+    let (low, high) = match shift {
+        0..64 => (bits << shift, (bits >> 1) >> (63 - shift)),
+        _ => (0, bits << (shift - 64)),
+    };
+    (high as u128) << 64 | low as u128
 }

@@ -4,6 +4,7 @@
 use super::class::Class;
 use super::denote::meaning;
 use super::predicate::{Meaning, Measure, Property, Relation};
+use super::relax::is_first;
 use super::shade::Shade;
 use crate::logic::ty::RUN;
 use crate::logic::{Node, TermId, Terms, print_human};
@@ -163,7 +164,7 @@ impl Teller<'_> {
             ("always", &[holds]) => Claim::Never(Box::new(self.denied(holds)?)),
             ("until", &[hold, reach, then]) => {
                 let mut step = self.claim(reach)?;
-                if hold != self.terms.truth() {
+                if hold != self.terms.truth() && !is_first(self.terms, hold, reach) {
                     step = Claim::Until(Box::new([self.claim(hold)?, step]));
                 }
                 match self.is_done(then) {

@@ -4,11 +4,14 @@
 
 use super::compile::Compiled;
 use super::course::Course;
+use super::itinerary::Itinerary;
 use super::monitor::{Monitor, Residual, TooMany};
-use super::outline::Part;
+use super::outline::{Part, Valuation};
+use super::strides::{Stages, Strides};
 use super::task::{TaskError, merged};
+use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Dynamics, Packed, Rules, State};
-use crate::mdp::{Mdp, Watch, Watched};
+use crate::mdp::{Leaps, Mdp, Watch, Watched};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
@@ -27,9 +30,18 @@ pub struct Moves {
 pub struct Watcher {
     dynamics: Rc<Dynamics>,
     guards: Vec<Compiled>,
+    /// The guards that are about nothing but where the robot is, as bits, and which of them hold at each place.
+    of_robot: Valuation,
+    at_place: Vec<Valuation>,
+    /// Whether one is about where the robot is and about others, too.
+    is_mixed: bool,
     monitor: RefCell<Monitor>,
+    /// The bound of a task that is about nothing else.
+    itinerary: Option<Itinerary>,
     /// By two guards, a lower bound on the actions from where the first holds to where the second does.
     legs: Vec<Vec<Option<u32>>>,
+    /// What plans are made of, where they are made of more than actions.
+    strides: RefCell<Option<Strides>>,
     /// Whether the task came to more stages than are kept: what was said since then is no proof.
     is_over: Cell<bool>,
 }
@@ -53,11 +65,47 @@ pub fn errand(course: &Course, initial: &State, rules: Rules) -> Result<Errand, 
         .iter()
         .map(|from| guards.iter().map(|to| leg(from, to, &dynamics, quotient)).collect());
     let legs = legs.collect();
-    let monitor = RefCell::new(Monitor::new(course.outline())?);
+    let is_of_robot = |(at, guard): (usize, &Compiled)| u64::from(guard.is_of_robot()) << at;
+    let of_robot = guards.iter().enumerate().map(is_of_robot).sum();
+    let layout = dynamics.layout();
+    let heading = dynamics.heading(start);
+    let holds = |place| {
+        let there = dynamics.posed(quotient, place, heading);
+        of_robot & valuation(&guards, of_robot, &dynamics, there)
+    };
+    let at_place: Vec<Valuation> = layout.places().map(holds).collect();
+    let mut monitor = Monitor::new(course.outline())?;
+    let is_alone = of_robot.count_ones() as usize == guards.len();
+    let itinerary = is_alone.then(|| {
+        let mut all = monitor.clone();
+        let opens = |place| dynamics.opens(start, place);
+        let from = (dynamics.agent(start), &at_place[..]);
+        let found = Itinerary::new(layout, opens, from, &mut all).ok()?;
+        monitor = all;
+        Some(found)
+    });
+    let is_mixed = guards.iter().any(|guard| guard.speaks_of_robot() && !guard.is_of_robot());
+    let strides = Strides::of(&dynamics, start);
     let dynamics = Rc::new(dynamics);
-    let watcher =
-        Watcher { dynamics: dynamics.clone(), guards, monitor, legs, is_over: Cell::new(false) };
+    let watcher = Watcher {
+        dynamics: dynamics.clone(),
+        guards,
+        of_robot,
+        at_place,
+        is_mixed,
+        itinerary: itinerary.flatten(),
+        monitor: RefCell::new(monitor),
+        legs,
+        strides: RefCell::new(strides),
+        is_over: Cell::new(false),
+    };
     Ok(Watched::new(Moves { dynamics, start }, watcher))
+}
+
+/// Which of some guards hold in a state.
+fn valuation(guards: &[Compiled], asked: Valuation, dynamics: &Dynamics, at: Packed) -> Valuation {
+    let asked = guards.iter().enumerate().filter(|(guard, _)| asked >> guard & 1 == 1);
+    asked.fold(0, |bits, (guard, of)| bits | u64::from(of.holds(dynamics, at)) << guard)
 }
 
 /// Why there is no errand.
@@ -111,9 +159,25 @@ impl Watcher {
         self.monitor.borrow().fails(Residual::at(stage))
     }
 
+    /// Appends the leaps from a state that bears its stage; whether there are such.
+    pub(super) fn leaps(&self, state: Packed, out: &mut Leaps<Packed>) -> bool {
+        let mut strides = self.strides.borrow_mut();
+        strides.as_mut().is_some_and(|own| own.leaps(&self.dynamics, self, state, out))
+    }
+
+    /// Appends the actions of the leap of this number; whether there are leaps.
+    pub(super) fn way(&self, from: Packed, number: u16, out: &mut Vec<Action>) -> bool {
+        let mut strides = self.strides.borrow_mut();
+        strides.as_mut().is_some_and(|own| own.way(&self.dynamics, self, (from, number), out))
+    }
+
     fn see(&self, from: Residual, state: Packed) -> u8 {
-        let holds = self.guards.iter().map(|guard| guard.holds(&self.dynamics, state));
-        let holds = holds.enumerate().fold(0, |bits, (at, holds)| bits | u64::from(holds) << at);
+        let at_place = self.at_place[usize::from(self.dynamics.agent(state))];
+        let others = valuation(&self.guards, !self.of_robot, &self.dynamics, state);
+        self.progress(from, at_place | others)
+    }
+
+    fn progress(&self, from: Residual, holds: Valuation) -> u8 {
         self.monitor.borrow_mut().step(from, holds).map_or_else(
             |TooMany| {
                 self.is_over.set(true);
@@ -160,6 +224,24 @@ impl Watcher {
     }
 }
 
+impl Stages for Watcher {
+    fn seen(&self, stage: u8, state: Packed) -> u8 {
+        self.step(stage, state)
+    }
+
+    fn of_others(&self, state: Packed) -> Option<Valuation> {
+        let others = valuation(&self.guards, !self.of_robot, &self.dynamics, state);
+        (!self.is_mixed).then_some(others)
+    }
+
+    fn seen_at(&self, stage: u8, place: Place, others: Valuation) -> u8 {
+        if stage == LOST {
+            return LOST;
+        }
+        self.progress(Residual::at(stage), self.at_place[usize::from(place)] | others)
+    }
+}
+
 impl Watch<Packed> for Watcher {
     fn begin(&self, state: Packed) -> u8 {
         self.see(Monitor::START, state)
@@ -176,7 +258,9 @@ impl Watch<Packed> for Watcher {
     fn least(&self, stage: u8, state: Packed) -> Option<u32> {
         let monitor = self.monitor.borrow();
         let part = monitor.part_of(Residual::at(stage)).filter(|_| stage != LOST)?;
-        self.bound(&monitor, part, state)
+        let bound = self.bound(&monitor, part, state)?;
+        let Some(itinerary) = &self.itinerary else { return Some(bound) };
+        Some(bound.max(itinerary.least(self.dynamics.agent(state), usize::from(stage))?))
     }
 }
 

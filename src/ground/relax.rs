@@ -15,6 +15,11 @@ pub fn demands(terms: &Terms, task: TermId) -> Result<Vec<TermId>, GoalError> {
     for part in outline.parts() {
         let (Part::Always(at) | Part::Until { hold: at, .. }) = *part else { continue };
         let demand = outline.guards()[at];
+        if let Part::Until { reach, .. } = *part
+            && is_first(terms, demand, outline.guards()[reach])
+        {
+            continue;
+        }
         if demand != terms.truth() && !found.contains(&demand) {
             found.push(demand);
         }
@@ -48,17 +53,35 @@ pub fn without(terms: &mut Terms, task: TermId, demands: &[TermId]) -> Result<Te
     }
 }
 
+/// Whether all that is to hold until something is so is that it is not: it is meant the first time that it is so.
+pub fn is_first(terms: &Terms, hold: TermId, reach: TermId) -> bool {
+    denied(terms, hold) == Some(reach) || denied(terms, reach) == Some(hold)
+}
+
+/// What a term denies.
+fn denied(terms: &Terms, term: TermId) -> Option<TermId> {
+    let Node::Apply { head, args: &[denied] } = terms.node(term) else { return None };
+    let Node::Constant(constant) = terms.node(head) else { return None };
+    (terms.name(constant) == "not").then_some(denied)
+}
+
 /// The task from where its demands are met for the first time: "once outside, not again".
 ///
 /// # Errors
 /// When it would be too large.
 pub fn once(terms: &mut Terms, task: TermId, demands: &[TermId]) -> Result<TermId, LogicError> {
     let met = terms.conjoin(demands)?;
-    let free = terms.truth();
-    let until = terms.types.read("<t,<t,<p,p>>>");
-    let Some(until) = until else { return Ok(task) };
+    let types = ["<t,<t,<p,p>>>", "<t,t>"].map(|text| terms.types.read(text));
+    let [Some(until), Some(not)] = types else { return Ok(task) };
     let until = terms.constant_term("until", until)?;
-    [free, met, task].into_iter().try_fold(until, |term, part| terms.apply(term, part))
+    let unmet = match denied(terms, met) {
+        Some(unmet) => unmet,
+        None => {
+            let not = terms.constant_term("not", not)?;
+            terms.apply(not, met)?
+        }
+    };
+    [unmet, met, task].into_iter().try_fold(until, |term, part| terms.apply(term, part))
 }
 
 /// What is left of a task when so many of its steps are done.

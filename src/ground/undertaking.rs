@@ -228,14 +228,22 @@ impl Mdp for Undertaking {
     fn leaps(&self, state: Packed, out: &mut Leaps<Packed>) {
         match self {
             Undertaking::Goal(task) => task.leaps(state, out),
-            Undertaking::Course(_) => each_action(self, state, out),
+            Undertaking::Course(errand) => {
+                if !errand.watch().leaps(state, out) {
+                    each_action(self, state, out);
+                }
+            }
         }
     }
 
     fn way(&self, from: Packed, number: u16, out: &mut Vec<Action>) {
         match self {
             Undertaking::Goal(task) => task.way(from, number, out),
-            Undertaking::Course(_) => out.extend(self.actions().get(usize::from(number))),
+            Undertaking::Course(errand) => {
+                if !errand.watch().way(from, number, out) {
+                    out.extend(self.actions().get(usize::from(number)));
+                }
+            }
         }
     }
 }

@@ -10,7 +10,7 @@ use super::report::Report;
 use super::score::Scores;
 use super::trainer::Trainer;
 use crate::ccg::{ChartConfig, Model, words};
-use crate::corpus::{Example, Fold, folds};
+use crate::corpus::{Example, Fold, folds, leave};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -235,6 +235,28 @@ pub fn cross_by(corpus: &Arc<[Example]>, n: u32, keys: &[String], config: &Confi
     let folds = folds(keys, n, config.seed).into_iter();
     let folds = folds.filter(|fold| !fold.test.is_empty() && !fold.train.is_empty());
     (1..).zip(folds).map(run).collect()
+}
+
+/// As many runs as `draws`, each trained without all rows of `n` keys, drawn by chance, and judged on those. There is a key
+/// a row, and a kind: no kind is left out whole.
+pub fn left_out(
+    corpus: &Arc<[Example]>,
+    (keys, kinds): (&[String], &[String]),
+    (n, draws): (usize, u32),
+    config: &Config,
+) -> Vec<Run> {
+    let run = |draw: u32| {
+        let Fold { train, test } = leave(keys, kinds, n, config.seed.wrapping_add(draw));
+        Run {
+            name: format!("draw {}", draw + 1),
+            train: Selection::of(corpus, train),
+            test: Selection::of(corpus, test),
+            config: config.clone(),
+            paper_f1: None,
+        }
+    };
+    let runs = (0..draws).map(run);
+    runs.filter(|run| !run.test.is_empty() && !run.train.is_empty()).collect()
 }
 
 /// The rows of Table II for one set: all three, the first two, the first of each command's demonstrations, judged

@@ -18,7 +18,7 @@ const MOST_LINES: usize = 500;
 const LEAST: f64 = 1e-9;
 
 /// Which entries, and in which order.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct EntryView {
     /// What their words, category or meaning contain.
     pub text: String,
@@ -30,13 +30,19 @@ pub struct EntryView {
     pub descending: bool,
 }
 
+impl Default for EntryView {
+    /// All, what is used most first.
+    fn default() -> Self {
+        Self { text: String::new(), learned: false, sort: EntrySort::Uses, descending: true }
+    }
+}
+
 /// By what entries are sorted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[expect(missing_docs, reason = "the names say it")]
 pub enum EntrySort {
     /// The order in which they came into the lexicon.
-    #[default]
     Place,
     Words,
     Meaning,

@@ -2,6 +2,7 @@
 //! teach that "red" is a place, nor that "the" is a chair. Only nouns stretch: a "box" may be any movable thing.
 
 use crate::ccg::{Atom, EntryId, Model, Origin, SyntaxId, Syntaxes};
+use crate::ground::Shade;
 use crate::logic::ConstantId;
 
 /// How far the meaning of words is open.
@@ -11,6 +12,8 @@ pub enum Novelty {
     Any,
     /// They may name other things of the same sort as these nouns do.
     Like(Vec<ConstantId>),
+    /// They may mean one of these: a shade is a colour that it is like.
+    Shade(Vec<ConstantId>),
     /// They may mean nothing: they frame what others say, as "move" and "the" do, and here there may be no frame.
     Silence,
     /// They may relate things, or mean nothing, as "side" and "on" do by the seed.
@@ -24,6 +27,9 @@ pub fn novelty(model: &Model, span: &[String]) -> Novelty {
     let lexicon = &model.lexicon;
     let constants = |id: EntryId| &lexicon.lexeme(lexicon.entry(id).lexeme).constants;
     let syntax = |id: EntryId| lexicon.category(id).syntax;
+    if let Some(colors) = span.iter().find_map(|word| colors(model, word)) {
+        return Novelty::Shade(colors);
+    }
     let known: Vec<EntryId> = span.iter().flat_map(|word| seed_meanings(model, word)).collect();
     if known.is_empty() {
         let is_new = span.iter().any(|word| !is_filler(model, word));
@@ -36,6 +42,16 @@ pub fn novelty(model: &Model, span: &[String]) -> Novelty {
     let nouns: Vec<ConstantId> =
         known.into_iter().filter(is_noun).flat_map(constants).copied().collect();
     if nouns.is_empty() { Novelty::None } else { Novelty::Like(nouns) }
+}
+
+/// The colours that a shade is like, as far as the seed has words for them; nothing for what is no shade, or one that the
+/// seed has a word for.
+fn colors(model: &Model, word: &str) -> Option<Vec<ConstantId>> {
+    let shade = Shade::named(word).filter(|_| seed_meanings(model, word).next().is_none())?;
+    let lexicon = &model.lexicon;
+    let entries = shade.colors().flat_map(|(color, _)| seed_meanings(model, color.name()));
+    let constants = entries.flat_map(|id| &lexicon.lexeme(lexicon.entry(id).lexeme).constants);
+    Some(constants.copied().collect())
 }
 
 /// Whether the seed says of a word that it may mean nothing.
@@ -67,7 +83,7 @@ impl Novelty {
     /// Whether the words may have the syntactic category.
     pub fn admits_syntax(&self, model: &Model, syntax: SyntaxId) -> bool {
         match self {
-            Novelty::Any => true,
+            Novelty::Any | Novelty::Shade(_) => true,
             Novelty::Like(_) => model.grammar.syntaxes.is(syntax, Atom::N),
             Novelty::Relation => takes_thing(&model.grammar.syntaxes, syntax),
             Novelty::Silence | Novelty::None => false,
@@ -82,6 +98,9 @@ impl Novelty {
             Novelty::Like(nouns) => constants
                 .iter()
                 .all(|&constant| nouns.iter().any(|&noun| sorts(noun) == sorts(constant))),
+            Novelty::Shade(colors) => {
+                !constants.is_empty() && constants.iter().all(|constant| colors.contains(constant))
+            }
             Novelty::Silence | Novelty::None => false,
         }
     }

@@ -70,7 +70,7 @@ impl Sorts {
                     let mut parts = claimed.into_iter().chain(denied);
                     return parts.all(|part| self.check(terms, part, around));
                 }
-                if let ("eq", &[a, b]) = (name, &args[..]) {
+                if let ("eq", &[a, b]) = (name, args) {
                     return self.meet(terms, [a, b], around);
                 }
                 let sets = self.arguments.get(name);

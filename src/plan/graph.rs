@@ -150,6 +150,13 @@ impl<P: Mdp> Graph<P> {
         self.weights[edge]
     }
 
+    /// The outcomes of a row, each with its weight.
+    #[inline]
+    pub(super) fn outcomes(&self, row: usize) -> impl Iterator<Item = (Id, f64)> {
+        let edges = self.edges(row);
+        self.targets[edges.clone()].iter().copied().zip(self.weights[edges].iter().copied())
+    }
+
     /// The sum of the weights of a row: 1, but for what the way costs and what staying takes.
     pub(super) fn row_weight(&self, row: usize) -> f64 {
         self.weights[self.edges(row)].iter().sum()
@@ -160,25 +167,25 @@ impl<P: Mdp> Graph<P> {
         self.numbers.len()
     }
 
-    /// What a row is worth when arriving at each state is worth `worth`.
+    /// What a row is worth when it is worth `worth` to arrive at a state.
     #[inline]
-    pub(super) fn row_worth(&self, row: usize, worth: &[f64]) -> f64 {
+    pub(super) fn row_worth(&self, row: usize, worth: impl Fn(Id) -> f64) -> f64 {
         let (start, end) = (self.starts[row] as usize, self.starts[row + 1] as usize);
         let targets = &self.targets[start..end];
         let weights = &self.weights[start..end];
         let mut sum = 0.0;
         for (&target, &weight) in targets.iter().zip(weights) {
-            sum += weight * worth[target as usize];
+            sum += weight * worth(target);
         }
         sum
     }
 
     /// The best row of a state and its worth; the first of equals; `None` when no row is worth anything.
-    pub(super) fn best(&self, id: Id, worth: &[f64]) -> Option<(usize, f64)> {
+    pub(super) fn best(&self, id: Id, worth: impl Fn(Id) -> f64) -> Option<(usize, f64)> {
         let mut best = None;
         let mut most = 0.0;
         for row in self.rows(id) {
-            let value = self.row_worth(row, worth);
+            let value = self.row_worth(row, &worth);
             if value > most {
                 most = value;
                 best = Some((row, value));

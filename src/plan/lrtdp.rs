@@ -1,6 +1,9 @@
 //! Labelled real-time dynamic programming (LRTDP: Bonet and Geffner 2003), whose trials follow every outcome of the
 //! best action, depth first (their HDP), and whose labels are bounds from both sides (BRTDP: McMahan, Likhachev and
-//! Gordon 2005): a state is solved when these lie within ε. Both are backed up on the way down and on the way up.
+//! Gordon 2005). How far these may lie apart is ε at the initial state and grows on the way as what comes of it counts
+//! less there (HSVI: Smith and Simmons 2004); of several outcomes that which counts most is followed first, and no more
+//! of them than need be. Where nothing is left to chance a trial goes on from a state by whatever seems best now, until
+//! that promises less than when it came (as RBFS does: Korf 1993).
 //! Only states that a good policy might meet are numbered, so it works where there are too many to enumerate.
 //! Invariants: lower ≤ V ≤ upper always; the policy is greedy in the lower bounds, so it earns at least those.
 //! Nothing is drawn at random. A step backs up one state.
@@ -8,7 +11,6 @@
 use super::astar::AStar;
 use super::graph::{Graph, Id};
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
-use std::ops::Range;
 
 /// A state is solved when its gap is at most this share of ε, so that rounding cannot keep ε itself out of reach.
 const STRICTER: f64 = 0.9;
@@ -18,22 +20,45 @@ const LOST: u64 = 2_000;
 /// States that this looks at.
 const SCOUTED: u64 = 50_000;
 
+/// A state that a trial is in.
+#[derive(Clone, Copy)]
+struct Met {
+    id: Id,
+    /// How far the bounds on what it is worth to arrive may lie apart.
+    slack: f64,
+    /// The upper one when the trial came.
+    hoped: f64,
+    /// The row that it went on by, if that leaves something to chance: it goes on by no other.
+    row: Option<usize>,
+}
+
+/// Bounds on what it is worth to arrive at a state: 1 at a terminal one, else γ V.
+#[derive(Clone, Copy)]
+struct Worth {
+    upper: f64,
+    lower: f64,
+}
+
+impl Worth {
+    fn gap(self) -> f64 {
+        self.upper - self.lower
+    }
+}
+
 /// A solver at work.
 #[derive(Clone)]
 pub struct Lrtdp<P: Mdp> {
     graph: Graph<P>,
     settings: Settings,
-    /// Bounds on what it is worth to arrive: 1 at a terminal state, else γ V.
-    upper: Vec<f64>,
-    lower: Vec<f64>,
+    worth: Vec<Worth>,
     is_expanded: Vec<bool>,
     /// How many states are still to be expanded, were it needed, and whether a terminal one was met.
     n_open: usize,
     has_end: bool,
     /// The last trial that met each state.
     met: Vec<u32>,
-    /// The states that this trial is in, each with the outcomes of its best action that are still to be followed.
-    path: Vec<(Id, Range<usize>)>,
+    /// The states that this trial is in.
+    path: Vec<Met>,
     trials: u32,
     /// The largest fall of an upper bound in this trial, and in the last one.
     change: f64,
@@ -53,8 +78,7 @@ impl<P: Mdp + Clone> Lrtdp<P> {
         let mut solver = Self {
             graph: Graph::new(problem, settings.discount),
             settings,
-            upper: Vec::new(),
-            lower: Vec::new(),
+            worth: Vec::new(),
             is_expanded: Vec::new(),
             n_open: 0,
             has_end: false,
@@ -87,7 +111,7 @@ impl<P: Mdp + Clone> Lrtdp<P> {
 
     /// Gives the states that were numbered since their first bounds.
     fn bound_new_states(&mut self) {
-        for id in self.upper.len()..self.graph.len() {
+        for id in self.worth.len()..self.graph.len() {
             let id = id as Id;
             let (lower, upper) = if self.graph.is_terminal(id) {
                 self.has_end = true;
@@ -98,8 +122,7 @@ impl<P: Mdp + Clone> Lrtdp<P> {
                 self.n_open += 1;
                 (0.0, self.settings.discount * self.graph.most(id))
             };
-            self.lower.push(lower);
-            self.upper.push(upper);
+            self.worth.push(Worth { upper, lower });
         }
         self.is_expanded.resize(self.graph.len(), false);
         self.met.resize(self.graph.len(), 0);
@@ -107,7 +130,7 @@ impl<P: Mdp + Clone> Lrtdp<P> {
 
     /// How far the bounds on V lie apart.
     fn gap(&self, id: Id) -> f64 {
-        let gap = self.upper[id as usize] - self.lower[id as usize];
+        let gap = self.worth[id as usize].gap();
         if self.graph.is_terminal(id) { 0.0 } else { gap / self.settings.discount }
     }
 
@@ -126,11 +149,11 @@ impl<P: Mdp + Clone> Lrtdp<P> {
             }
             return None;
         }
-        let Some((id, rest)) = self.path.last_mut() else {
+        let Some(&met) = self.path.last() else {
             if self.is_solved(0) {
                 return Some(self.ended());
             }
-            if self.steps >= LOST && self.lower[0] == 0.0 && !self.has_scouted {
+            if self.steps >= LOST && self.worth[0].lower == 0.0 && !self.has_scouted {
                 self.has_scouted = true;
                 let budget = self.settings.budget;
                 let settings = self.settings.with_budget(SCOUTED, budget.states);
@@ -140,19 +163,40 @@ impl<P: Mdp + Clone> Lrtdp<P> {
             self.residual = if self.trials > 0 { self.change } else { f64::NAN };
             self.change = 0.0;
             self.trials += 1;
-            return self.go_down(0);
+            let slack = self.settings.discount * STRICTER * self.settings.epsilon;
+            return self.go_down(0, slack);
         };
-        if let Some(edge) = rest.next() {
-            let next = self.graph.target(edge);
-            if self.met[next as usize] < self.trials && !self.is_solved(next) {
-                return self.go_down(next);
+        let row = self.back_up(met.id);
+        if let Some((next, slack, row)) = row.and_then(|row| self.next(met, row)) {
+            if let Some(last) = self.path.last_mut() {
+                last.row = Some(row).filter(|&row| self.graph.edges(row).len() > 1);
             }
+            return self.go_down(next, slack);
+        }
+        self.path.pop();
+        None
+    }
+
+    /// Where a trial goes on from a state by its best action, how far the bounds may lie apart there, and the row of that
+    /// action: to the outcome that counts most of those that leave too much open, unless all together leave little
+    /// enough. None when the state promises less than when the trial came: then another may be better.
+    fn next(&self, met: Met, row: usize) -> Option<(Id, f64, usize)> {
+        let Worth { upper, lower } = self.worth[met.id as usize];
+        let is_done = upper - lower <= met.slack || upper < met.hoped - met.slack;
+        if is_done || met.row.is_some_and(|begun| begun != row) {
             return None;
         }
-        let id = *id;
-        self.path.pop();
-        self.back_up(id);
-        None
+        let slack = met.slack / (self.settings.discount * self.graph.row_weight(row));
+        let mut best = None;
+        let mut most = 0.0;
+        for (next, weight) in self.graph.outcomes(row) {
+            let gap = self.worth[next as usize].gap();
+            if gap > slack && weight * gap > most && self.met[next as usize] < self.trials {
+                most = weight * gap;
+                best = Some((next, slack, row));
+            }
+        }
+        best
     }
 
     /// Expands the states of the way that was found, and backs them up from its end.
@@ -183,9 +227,8 @@ impl<P: Mdp + Clone> Lrtdp<P> {
         self.n_open -= 1;
     }
 
-    /// Meets a state: backs it up and sets out along its best action.
-    fn go_down(&mut self, id: Id) -> Option<Outcome> {
-        self.met[id as usize] = self.trials;
+    /// Meets a state.
+    fn go_down(&mut self, id: Id, slack: f64) -> Option<Outcome> {
         if !self.is_expanded[id as usize] {
             if self.graph.is_full(self.settings.budget.states) {
                 return Some(Outcome::Budget);
@@ -193,19 +236,19 @@ impl<P: Mdp + Clone> Lrtdp<P> {
             self.open(id);
             if self.n_open == 0 && !self.has_end {
                 // That was all that can be reached.
-                self.upper.fill(0.0);
+                self.worth.fill(Worth { upper: 0.0, lower: 0.0 });
                 return Some(Outcome::Unreachable);
             }
         }
-        let best = self.back_up(id);
-        self.path.push((id, best.map_or(0..0, |row| self.graph.edges(row))));
+        self.met[id as usize] = self.trials;
+        self.path.push(Met { id, slack, hoped: self.worth[id as usize].upper, row: None });
         None
     }
 
     /// The number of a state that was expanded, is terminal, or is worth nothing.
     fn known(&self, state: P::State) -> Option<Id> {
         let is_known = |&id: &Id| {
-            let most = self.upper[id as usize];
+            let most = self.worth[id as usize].upper;
             self.is_expanded[id as usize] || self.graph.is_terminal(id) || most <= 0.0
         };
         self.graph.find(state).filter(is_known)
@@ -217,9 +260,9 @@ impl<P: Mdp + Clone> Lrtdp<P> {
 
     /// How it ends once the bounds on the initial state meet.
     fn ended(&self) -> Outcome {
-        if self.upper[0] <= 0.0 {
+        if self.worth[0].upper <= 0.0 {
             Outcome::Unreachable
-        } else if self.lower[0] > 0.0 {
+        } else if self.worth[0].lower > 0.0 {
             Outcome::Solved
         } else {
             // It may be worth less than ε, or nothing at all: neither is proved.
@@ -232,39 +275,53 @@ impl<P: Mdp + Clone> Lrtdp<P> {
         let discount = self.settings.discount;
         self.steps += 1;
         self.backups += self.graph.rows(id).len() as u64;
-        let upper = self.graph.best(id, &self.upper);
-        let lower = self.graph.best(id, &self.lower);
-        let i = id as usize;
-        let most = discount * upper.map_or(0.0, |(_, worth)| worth);
-        self.change = self.change.max((self.upper[i] - most) / discount);
-        self.upper[i] = self.upper[i].min(most);
-        self.lower[i] = self.lower[i].max(discount * lower.map_or(0.0, |(_, worth)| worth));
-        upper.map(|(row, _)| row)
+        let mut best = None;
+        let mut most = Worth { upper: 0.0, lower: 0.0 };
+        for row in self.graph.rows(id) {
+            let mut sum = Worth { upper: 0.0, lower: 0.0 };
+            for (target, weight) in self.graph.outcomes(row) {
+                let Worth { upper, lower } = self.worth[target as usize];
+                sum.upper += weight * upper;
+                sum.lower += weight * lower;
+            }
+            if sum.upper > most.upper {
+                most.upper = sum.upper;
+                best = Some(row);
+            }
+            most.lower = most.lower.max(sum.lower);
+        }
+        let worth = &mut self.worth[id as usize];
+        let (upper, lower) = (discount * most.upper, discount * most.lower);
+        self.change = self.change.max((worth.upper - upper) / discount);
+        worth.upper = worth.upper.min(upper);
+        worth.lower = worth.lower.max(lower);
+        best
     }
 }
 
 impl<P: Mdp + Clone> Policy<P::State, P::Action> for Lrtdp<P> {
     fn action(&self, state: P::State) -> Option<P::Action> {
         if let Some(id) = self.known(state) {
-            let best = self.graph.best(id, &self.lower);
-            let best = best.or_else(|| self.graph.best(id, &self.upper));
+            let best = self.graph.best(id, |id| self.worth[id as usize].lower);
+            let best = best.or_else(|| self.graph.best(id, |id| self.worth[id as usize].upper));
             return best.and_then(|(row, _)| self.graph.action(id, row));
         }
-        let ahead = |worth: &[f64]| self.graph.look(state, |id| worth[id as usize]);
-        ahead(&self.lower).or_else(|| ahead(&self.upper)).map(|(action, _)| action)
+        let lower = self.graph.look(state, |id| self.worth[id as usize].lower);
+        let ahead = lower.or_else(|| self.graph.look(state, |id| self.worth[id as usize].upper));
+        ahead.map(|(action, _)| action)
     }
 
     /// What the policy earns at least.
     fn value(&self, state: P::State) -> Option<f64> {
         if let Some(id) = self.known(state) {
-            let worth = self.lower[id as usize];
+            let worth = self.worth[id as usize].lower;
             return Some(if self.graph.is_terminal(id) {
                 worth
             } else {
                 worth / self.settings.discount
             });
         }
-        let ahead = self.graph.look(state, |id| self.lower[id as usize]);
+        let ahead = self.graph.look(state, |id| self.worth[id as usize].lower);
         ahead.map(|(_, worth)| worth)
     }
 }

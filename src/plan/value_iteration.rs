@@ -230,7 +230,8 @@ impl<P: Mdp> ValueIteration<P> {
             self.cursor += 1;
             self.steps += 1;
             self.backups += self.graph.rows(id).len() as u64;
-            let best = self.graph.best(id, &self.worth).map_or(0.0, |(_, worth)| worth);
+            let best =
+                self.graph.best(id, |id| self.worth[id as usize]).map_or(0.0, |(_, worth)| worth);
             let worth = &mut self.worth[id as usize];
             self.change = self.change.max((best - *worth / discount).abs());
             *worth = discount * best;
@@ -258,7 +259,7 @@ impl<P: Mdp> Policy<P::State, P::Action> for ValueIteration<P> {
         }
         match self.known(state) {
             Some(id) => {
-                let best = self.graph.best(id, &self.worth);
+                let best = self.graph.best(id, |id| self.worth[id as usize]);
                 best.and_then(|(row, _)| self.graph.action(id, row))
             }
             None => self.ahead(state).map(|(action, _)| action),

@@ -12,7 +12,7 @@ use crate::ccg::{Model, probability};
 use crate::corpus::{Example, Pair, jsonl, preview, share, table};
 use crate::domain::{State, Way, letters};
 use crate::ground::{PairId, Validator};
-use crate::learn::audit::Rows;
+use crate::learn::audit::{Audit, Rows};
 use crate::learn::inspect::{EntryView, difference, entries, without};
 use crate::learn::sheet::{Half, Sheet, decided};
 use crate::logic::read as read_term;
@@ -108,18 +108,23 @@ impl Learner {
         })
     }
 
-    /// The model that was audited, or else trained last, or else given.
+    /// The model that was audited or trained last, or else given.
     fn model(&self) -> Result<Model, String> {
-        let audited = self.audit.as_ref().map(|audit| audit.model().clone());
-        let trained = || self.training.as_ref().and_then(|training| training.model());
+        let audited = self.fresh_audit().map(|audit| audit.model().clone());
+        let trained = || self.training.as_ref().and_then(Training::model);
         let model = audited.or_else(trained).or_else(|| self.given.clone());
-        Ok(model.ok_or("There is no model yet: train one, or open one.")?)
+        model.ok_or_else(|| "There is no model yet: train one, or open one.".to_owned())
+    }
+
+    /// The audit, unless a model was trained behind it.
+    fn fresh_audit(&self) -> Option<&Audit> {
+        self.audit.as_ref().filter(|_| !self.is_audit_old)
     }
 
     fn entries(&mut self, view: &EntryView, offset: u32, count: u32) -> Result<Event, String> {
         let origins = self.training.as_ref().map(Training::origins).unwrap_or_default();
         let asked = (view, offset, count);
-        let mut window = match &self.audit {
+        let mut window = match self.fresh_audit() {
             Some(audit) => entries(audit.model(), asked, &origins, |id| audit.uses(id)),
             None => entries(&self.model()?, asked, &origins, |_| Rows::default()),
         };

@@ -31,6 +31,8 @@ pub struct Learner {
     pub(super) training: Option<Training>,
     /// The model that was asked about the rows.
     pub(super) audit: Option<Audit>,
+    /// Whether something was learned behind that.
+    pub(super) is_audit_old: bool,
     /// A model that was given for what it knows.
     pub(super) given: Option<Model>,
     /// Answers to a study.
@@ -122,7 +124,7 @@ impl Learner {
 
     /// Has a run be at work.
     fn train(&mut self, training: Training) -> Job<Learner> {
-        self.training = Some(training);
+        (self.training, self.is_audit_old) = (Some(training), true);
         Box::new(|learner| match &mut learner.training {
             Some(training) => training.step(),
             None => Step::Over(Event::Cancelled),
@@ -145,7 +147,7 @@ impl Learner {
         };
         let examples = self.sheet.examples().clone();
         self.sheet.forget_outcomes();
-        self.audit = Some(Audit::new(model, examples, known));
+        (self.audit, self.is_audit_old) = (Some(Audit::new(model, examples, known)), false);
         Ok(Box::new(move |learner| {
             let Learner { audit: Some(audit), sheet, .. } = learner else {
                 return Step::Over(Event::Cancelled);

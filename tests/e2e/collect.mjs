@@ -7,6 +7,7 @@ import http from 'node:http';
 import os from 'node:os';
 import path from 'node:path';
 import { promisify } from 'node:util';
+import { Opened } from './opened.mjs';
 import { chromium, root } from './packages.mjs';
 
 /** A study of the six sentences' pairs, or of another corpus, with settings of its own, made by the command line. */
@@ -30,21 +31,7 @@ export async function takePart(t, query = '?study=study.json') {
 }
 
 /** Somebody who takes part. */
-export class Participant {
-  constructor(t, page) {
-    this.t = t;
-    this.page = page;
-  }
-
-  /** The element with this test id. */
-  by(id) {
-    return this.page.getByTestId(id);
-  }
-
-  press(id) {
-    return this.by(id).click();
-  }
-
+export class Participant extends Opened {
   /** Waits for a stage: `welcome`, `instructions`, `turn`, `end`, `over`, `trouble`, `elsewhere`, `refused`. */
   async at(stage) {
     await this.page.locator(`.collect[data-stage="${stage}"]`).waitFor();

@@ -81,6 +81,16 @@ export class Flow {
     return page;
   }
 
+  /** What `body` finds with a page of a browser that has seen nothing yet, closed behind it; `settings` are its context's. */
+  async elsewhere(settings, body) {
+    const context = await this.context.browser().newContext(settings);
+    try {
+      return await body(await context.newPage());
+    } finally {
+      await context.close();
+    }
+  }
+
   /** Lets problems that match `pattern` pass: the flow provokes them. */
   expect(pattern) {
     this.expected.push(pattern);

@@ -3,6 +3,7 @@
 
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
+import { Opened } from './opened.mjs';
 import { root } from './packages.mjs';
 
 /** The project's own six sentences, as the page's file has them. */
@@ -65,19 +66,10 @@ export async function openTrain(t) {
   return demo;
 }
 
-/** The open page. */
-export class Demo {
-  constructor(t, page) {
-    this.t = t;
-    this.page = page;
-    /** How much of what was said aloud has been waited for. */
-    this.heard = 0;
-  }
-
-  /** The element with this test id. */
-  by(id) {
-    return this.page.getByTestId(id);
-  }
+/** The open page where one talks and trains. */
+export class Demo extends Opened {
+  /** How much of what was said aloud has been waited for. */
+  heard = 0;
 
   /** Presses what has this test id, and waits until the page has redrawn. */
   async press(id) {
@@ -300,6 +292,20 @@ export class Demo {
     if ((await this.by(`tab-${name}`).getAttribute('aria-selected')) !== 'true') await this.press(`tab-${name}`);
   }
 
+  /** Has training take so many passes. */
+  async passes(count) {
+    await this.by('setting-epochs').fill(`${count}`);
+    await this.by('setting-epochs').blur();
+  }
+
+  /** Holds so many percent of the rows out. */
+  async holdOut(percent) {
+    await this.by('split-percent').fill(`${percent}`);
+    await this.by('split-by').selectOption({ label: 'single rows' });
+    await this.press('split-share');
+    await this.t.check(async () => /held out/.test(await this.by('corpus-count').textContent()), 'a share is held out');
+  }
+
   /** Presses Train and waits for the model. */
   async train() {
     await this.part('run');
@@ -324,6 +330,13 @@ export class Demo {
   async model() {
     await this.part('run');
     return this.saved('save-model');
+  }
+
+  /** The link that shares what is on view. */
+  async link() {
+    await this.press('share');
+    await this.by('link').waitFor();
+    return this.by('link').inputValue();
   }
 
   /** The text of the file that a button saves. */

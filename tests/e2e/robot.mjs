@@ -4,6 +4,7 @@
 import { spawn } from 'node:child_process';
 import path from 'node:path';
 import { createInterface } from 'node:readline';
+import { Opened } from './opened.mjs';
 import { root } from './packages.mjs';
 
 /** Starts a peer; what comes in it keeps as `frames`, and `tell` has it do something. */
@@ -53,20 +54,7 @@ export async function openRobot(t, { german = false } = {}) {
 }
 
 /** The open page. */
-export class Robot {
-  constructor(t, page) {
-    this.t = t;
-    this.page = page;
-  }
-
-  by(id) {
-    return this.page.getByTestId(id);
-  }
-
-  press(id) {
-    return this.by(id).click();
-  }
-
+export class Robot extends Opened {
   /** Waits until the driver is at this stage. */
   at(stage, seconds = 20) {
     return this.t.until(`it is ${stage}`, async () => (await this.stage()) === stage, seconds);

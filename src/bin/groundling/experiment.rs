@@ -38,6 +38,9 @@ pub(crate) const COMMAND: Command = Command {
               \x20   --by KIND               what stays together: command, row, task, worker,\n\
               \x20                           or the rows with the same value of a key (command)\n\
               \x20   --fold K…               only these folds, from 1\n\
+              \x20   --leave N               draws instead of folds: each leaves the rows of N values of the key out\n\
+              \x20   --draws N               so many (10)\n\
+              \x20   --keep KEY              no value of this other key of the rows is left out whole\n\
               \x20 plan           a file of JSON that repeats runs exactly\n\
               \x20   --corpus FILE… [--held-out FILE…]\n\
               \x20   --matrix JSON           which runs (\"once\"), such as {\"curve\": {\"percents\": [25, 100], \"by\": \"row\"}}\n\
@@ -53,6 +56,7 @@ pub(crate) const COMMAND: Command = Command {
               \x20   --epochs N              passes over the corpus (15)\n\
               \x20   --seed N                order of the examples, and of the folds (0)\n\
               \x20   --lexicon FILE          the seed lexicon (the whole domain's; demonstration: its own)\n\
+              \x20   --without-contrasts     learn from what was done alone\n\
               \x20   --with-rejected         use rejected rows too\n\
               \x20   --jobs N                runs at a time (as many as there are processors; table3: 1)\n\
               \x20   --json                  print one JSON object",

@@ -2,7 +2,7 @@
 
 use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::domain::{Action, Chances, Form, Movable, Rules, State};
-use groundling::ground::{Constraint, Course, ErrandError, Goal, Task, errand};
+use groundling::ground::{Constraint, Course, ErrandError, Goal, Task, Undertaking};
 use groundling::logic::ty::RUN;
 use groundling::logic::{Terms, read};
 use groundling::mdp::{
@@ -191,19 +191,19 @@ fn in_time(
         return lost("no_referent");
     }
     let is_sure = rules.chances == Chances::default();
-    let set_out = |course: &Course| errand(course, initial, rules);
+    let set_out = |course: &Course| Undertaking::course(course, initial, rules);
     let task = match set_out(course) {
         Ok(task) => task,
         Err(ErrandError::TooMany(_)) => return Ok(without("budget")),
         Err(ErrandError::Task(error)) => return Err(format!("initial: {error}")),
     };
-    if task.watch().has_failed(task.initial().1) {
+    if task.has_failed(task.initial()) {
         let is_never = course.outline().is_never();
         return lost(if is_never { "unreachable" } else { "already_broken" });
     }
-    let steps = most_steps(question, solver(question)?, task.problem().is_deterministic());
+    let steps = most_steps(question, solver(question)?, task.is_deterministic());
     let mut answer = solved(question, &task, steps, is_sure)?;
-    if task.watch().is_over() {
+    if task.is_over() {
         (answer.reason, answer.value) = (Some("budget"), None);
     }
     if answer.reason == Some("unreachable") {

@@ -1,5 +1,6 @@
 // Every corpus of the folder on the workbench: dropped, learned to the end, and the model is the command line's, byte for
-// byte; so are the figures of a cross-validation, which the command line repeats from the page's file. No task of the
+// byte; so are the figures of a cross-validation, which the command line repeats from the page's file. Of a corpus of runs
+// the ways of its first rows are told and drawn. No task of the
 // page's own thread takes 50 ms of CPU, and the engine holds less than 500 MB. PASSES=2 where there is little time.
 
 import { mkdtemp, readFile, readdir, rm, writeFile } from 'node:fs/promises';
@@ -9,7 +10,7 @@ import { flow } from '../flow.mjs';
 import { openTrain } from '../page.mjs';
 import { engineMemory, mainThreads, trace } from '../trace.mjs';
 
-const names = (await readdir(process.env.CORPORA)).filter((name) => name.endsWith('.csv'));
+const names = (await readdir(process.env.CORPORA)).filter((name) => /\.(csv|jsonl)$/.test(name));
 const PASSES = process.env.PASSES ?? '15';
 /** Passes and parts of the cross-validation. */
 const [CROSS, FOLDS] = ['2', '3'];
@@ -20,11 +21,24 @@ async function opened(demo, name, carried) {
   await demo.t.until('the file is open', async () => (await demo.by('corpus-name').textContent()) === name, 90);
 }
 
+/** The ways of the first rows are told, and drawn with what is not meant. */
+async function showsRuns(demo, text) {
+  const rows = text.split('\n', 3).map((line) => JSON.parse(line));
+  for (const [at, { runs }] of rows.entries()) {
+    await demo.by('row').nth(at).click();
+    await demo.t.equal(() => demo.by('run').count(), runs.length, `the runs of row ${at + 1}`);
+    const ways = runs.reduce((n, { contrast }) => n + 1 + (contrast ?? []).length, 0);
+    await demo.t.equal(() => demo.page.locator('[data-testid="run"] polyline').count(), ways, 'their ways');
+    await demo.t.equal(async () => (await demo.by('run-way').allTextContents()).map((way) => parseInt(/\d+/.exec(way))),
+      runs.map(({ actions }) => actions.length), 'and their lengths');
+    await demo.by('row').nth(at).click();
+  }
+}
+
 /** Sets the passes of the next run. */
 async function passes(demo, count) {
   await demo.part('run');
-  await demo.by('setting-epochs').fill(count);
-  await demo.by('setting-epochs').blur();
+  await demo.passes(count);
 }
 
 /** The figures that the page finds by cross-validation, and the file that repeats it. */
@@ -58,7 +72,8 @@ async function within(body) {
 for (const name of names) {
   flow(`the workbench learns what the command line learns from ${name}`, { seconds: 2400 }, async (t) => {
     const demo = await openTrain(t);
-    const carried = await demo.carried([[name, await readFile(path.join(process.env.CORPORA, name), 'utf8')]]);
+    const text = await readFile(path.join(process.env.CORPORA, name), 'utf8');
+    const carried = await demo.carried([[name, text]]);
     const start = Date.now();
     const events = await trace(demo.page, async () => {
       await opened(demo, name, carried);
@@ -67,6 +82,11 @@ for (const name of names) {
       await demo.by('progress').waitFor();
       await demo.page.waitForTimeout(6_000);
     });
+    if (name.endsWith('.jsonl')) {
+      await demo.part('data');
+      await showsRuns(demo, text);
+      await demo.part('run');
+    }
     const { tasks: [...tasks] } = mainThreads(events)[0];
     const longest = tasks.reduce((a, b) => (a.cpu > b.cpu ? a : b));
     t.note(`the page's longest task: ${longest.cpu.toFixed(1)} ms of CPU (${longest.clock.toFixed(1)} by the clock)`);

@@ -94,8 +94,7 @@ flow('what an experiment found is kept behind a reload, saved, and deleted', asy
   t.expect(/ERR_ABORTED/);
   const demo = await openTrain(t);
   await demo.part('run');
-  await demo.by('setting-epochs').fill('2');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(2);
   await demo.part('experiments');
   await demo.by('folds').fill('2');
   await demo.by('folds').blur();

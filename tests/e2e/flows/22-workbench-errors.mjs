@@ -61,8 +61,7 @@ flow('what wrong answers did instead is told task by task', async (t) => {
   await demo.press('put-held-out');
   await t.check(async () => /3 held out/.test(await demo.by('corpus-count').textContent()), 'three rows are held out');
   await demo.part('run');
-  await demo.by('setting-epochs').fill('3');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(3);
   await demo.train();
   await demo.part('lexicon');
   const confusion = demo.by('errors').getByRole('region', { name: 'What wrong answers did instead, on what is held out', exact: true });

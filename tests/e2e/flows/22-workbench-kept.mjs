@@ -18,8 +18,7 @@ async function keptRun(demo, name, text, passes) {
   await demo.choose(name, text);
   await t.until('the file is open', async () => (await demo.corpus()).name === name);
   await demo.part('run');
-  await demo.by('setting-epochs').fill(`${passes}`);
-  await demo.by('setting-epochs').blur();
+  await demo.passes(passes);
   await demo.press('train');
   await demo.by('progress').waitFor();
   await demo.part('kept');
@@ -143,9 +142,7 @@ flow('corpora and models are kept under a name, opened again, saved and deleted'
 });
 
 flow('a workbench without a store says so, and one in a second tab that the first keeps the runs', async (t) => {
-  const context = await t.context.browser().newContext({ serviceWorkers: 'block' });
-  try {
-    const page = await context.newPage();
+  await t.elsewhere({ serviceWorkers: 'block' }, async (page) => {
     await page.addInitScript(() => Object.defineProperty(globalThis, 'indexedDB', { value: undefined }));
     await page.goto(`${t.address}#train`);
     const demo = new Demo(t, page);
@@ -153,9 +150,7 @@ flow('a workbench without a store says so, and one in a second tab that the firs
     await demo.train();
     await demo.part('kept');
     await t.equal(() => demo.by('shelf-fault').getAttribute('data-fault'), 'none', 'the fault');
-  } finally {
-    await context.close();
-  }
+  });
   const first = await openTrain(t);
   await first.train();
   const second = new Demo(t, await t.open(`${t.address}#train`));

@@ -10,6 +10,8 @@ flow('the lexicon is looked through, an entry is left out, and two models are co
   await demo.part('lexicon');
   const shown = () => demo.by('entries-shown').textContent();
   await t.check(async () => /of \d+ entries/.test(await shown()), 'the entries');
+  await demo.by('search-entries').fill('xyzzy');
+  await t.check(async () => (await shown()) === 'No entry holds this.', 'none');
   await demo.by('learned-only').check();
   await demo.by('search-entries').fill('room');
   await t.check(async () => (await demo.by('entries').locator('tbody tr').count()) >= 1, 'an entry of a word that was learned');

@@ -30,8 +30,7 @@ for (const [name, viewport, colorScheme] of LOOKS) {
     await look('study');
     await look('experiments');
     await demo.part('run');
-    await demo.by('setting-epochs').fill('6');
-    await demo.by('setting-epochs').blur();
+    await demo.passes(6);
     // From here on the model is the flow's own, and not the one that comes with the page, which changes now and then.
     await demo.train();
     await look('run');

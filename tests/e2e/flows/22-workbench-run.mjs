@@ -44,13 +44,9 @@ flow('training rests, goes on step by step, is stopped and gone on with', async 
 
 flow('curves show how the model does on what is held out', async (t) => {
   const demo = await openTrain(t);
-  await demo.by('split-percent').fill('33');
-  await demo.by('split-by').selectOption({ label: 'single rows' });
-  await demo.press('split-share');
-  await t.check(async () => /held out/.test(await demo.by('corpus-count').textContent()), 'a share is held out');
+  await demo.holdOut(33);
   await demo.part('run');
-  await demo.by('setting-epochs').fill('6');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(6);
   await demo.by('paper').waitFor();
   await demo.train();
   await t.check(async () => (await demo.by('curves').locator('figure').count()) === 4, 'four charts');
@@ -64,8 +60,7 @@ flow('curves show how the model does on what is held out', async (t) => {
 
 flow('an engine that is killed while it learns goes on where it was', async (t) => {
   const demo = await long(t);
-  await demo.by('setting-epochs').fill('1000');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(1000);
   await demo.press('train');
   await demo.by('progress').waitFor();
   await t.until('some seconds of work', async () => /[5-9] s so far|\d\d s so far/.test(await demo.by('progress').textContent()), 60);
@@ -85,8 +80,7 @@ flow('an engine that is killed while it learns goes on where it was', async (t) 
 
 flow('training goes on while another tab is to be seen', async (t) => {
   const demo = await long(t);
-  await demo.by('setting-epochs').fill('1000');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(1000);
   await demo.press('train');
   await demo.by('progress').waitFor();
   const other = await t.context.newPage();

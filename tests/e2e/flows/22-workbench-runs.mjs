@@ -7,8 +7,7 @@ import { Demo, csv, openTrain, rows } from '../page.mjs';
 flow('a cross-validation is run, saved, and repeated from its file to the same figures', async (t) => {
   const demo = await openTrain(t);
   await demo.part('run');
-  await demo.by('setting-epochs').fill('3');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(3);
   await demo.part('experiments');
   await demo.by('folds').fill('3');
   await demo.by('folds').blur();
@@ -34,28 +33,21 @@ flow('a cross-validation is run, saved, and repeated from its file to the same f
 });
 
 flow('four engines find what one finds', async (t) => {
-  const found = async (cores) => {
-    const context = await t.context.browser().newContext({ serviceWorkers: 'block', reducedMotion: 'reduce' });
-    try {
-      const page = await context.newPage();
-      await page.addInitScript((n) => {
-        Object.defineProperty(Navigator.prototype, 'hardwareConcurrency', { get: () => n });
-      }, cores);
-      await page.goto(`${t.address}#train`);
-      const demo = new Demo(t, page);
-      await demo.by('row').first().waitFor();
-      await demo.part('run');
-      await demo.by('setting-epochs').fill('2');
-      await demo.by('setting-epochs').blur();
-      await demo.part('experiments');
-      await demo.press('run');
-      if (cores > 1) await t.check(async () => /by 4 engines/.test(await demo.by('pool').textContent()), 'four engines');
-      await demo.by('runs').waitFor({ timeout: 60_000 });
-      return await demo.saved('save-csv');
-    } finally {
-      await context.close();
-    }
-  };
+  const found = (cores) => t.elsewhere({ serviceWorkers: 'block', reducedMotion: 'reduce' }, async (page) => {
+    await page.addInitScript((n) => {
+      Object.defineProperty(Navigator.prototype, 'hardwareConcurrency', { get: () => n });
+    }, cores);
+    await page.goto(`${t.address}#train`);
+    const demo = new Demo(t, page);
+    await demo.by('row').first().waitFor();
+    await demo.part('run');
+    await demo.passes(2);
+    await demo.part('experiments');
+    await demo.press('run');
+    if (cores > 1) await t.check(async () => /by 4 engines/.test(await demo.by('pool').textContent()), 'four engines');
+    await demo.by('runs').waitFor({ timeout: 60_000 });
+    return await demo.saved('save-csv');
+  });
   const [several, one] = [await found(8), await found(1)];
   await t.equal(several, one, 'the figures');
 });
@@ -68,8 +60,7 @@ flow('the paper’s experiments are one press each', async (t) => {
   await t.check(async () => /Learned from 6 sentences; 6 of them/.test(await demo.by('six-found').textContent()), 'what was learned');
   await t.check(async () => /blue\(x\)[^]*carried out in \d+ steps/.test(await demo.by('six-found').textContent()), 'what was done');
   await demo.part('run');
-  await demo.by('setting-epochs').fill('1');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(1);
   await demo.part('experiments');
   await demo.by('paper-share').waitFor();
   await demo.press('table-2');
@@ -83,13 +74,9 @@ flow('the paper’s experiments are one press each', async (t) => {
 
 flow('learning curves, ablations and seeds are run on what is held out', { seconds: 240 }, async (t) => {
   const demo = await openTrain(t);
-  await demo.by('split-percent').fill('33');
-  await demo.by('split-by').selectOption({ label: 'single rows' });
-  await demo.press('split-share');
-  await t.check(async () => /held out/.test(await demo.by('corpus-count').textContent()), 'a share is held out');
+  await demo.holdOut(33);
   await demo.part('run');
-  await demo.by('setting-epochs').fill('1');
-  await demo.by('setting-epochs').blur();
+  await demo.passes(1);
   await demo.part('experiments');
   const names = async (experiment) => {
     const before = await demo.by('runs').count();
@@ -117,36 +104,30 @@ flow('several engines are asked about every row, to the same end', { seconds: 24
   const many = csv(...Array.from({ length: 40 }, (_, time) => rows.slice(1).map(
     (row) => row.replace(/"([^"]*)"(?=,[^,]*,[^,]*$)/, `"$1 time${time}"`),
   )).flat());
-  const found = async (cores) => {
-    const context = await t.context.browser().newContext({ serviceWorkers: 'block', reducedMotion: 'reduce' });
-    try {
-      const page = await context.newPage();
-      await page.addInitScript((n) => {
-        Object.defineProperty(Navigator.prototype, 'hardwareConcurrency', { get: () => n });
-        const Own = globalThis.Worker;
-        globalThis.begun = 0;
-        globalThis.Worker = class extends Own {
-          constructor(...all) { super(...all); globalThis.begun += 1; }
-        };
-      }, cores);
-      await page.goto(`${t.address}#train`);
-      const demo = new Demo(t, page);
-      await demo.by('row').first().waitFor();
-      await demo.choose('many.csv', many);
-      await t.until('the file is open', async () => (await demo.corpus()).name === 'many.csv');
-      const before = await page.evaluate(() => globalThis.begun);
-      await demo.press('audit');
-      // There is something to choose once all rows are judged.
-      await demo.by('filter-outcome').waitFor({ timeout: 120_000 });
-      const engines = (await page.evaluate(() => globalThis.begun)) - before;
-      const outcomes = await demo.by('filter-outcome').locator('option').allTextContents();
-      await demo.part('lexicon');
-      await t.check(async () => (await demo.by('errors').locator('table').count()) > 0, 'where it errs');
-      return { engines, outcomes, errors: await demo.by('errors').textContent() };
-    } finally {
-      await context.close();
-    }
-  };
+  const found = (cores) => t.elsewhere({ serviceWorkers: 'block', reducedMotion: 'reduce' }, async (page) => {
+    await page.addInitScript((n) => {
+      Object.defineProperty(Navigator.prototype, 'hardwareConcurrency', { get: () => n });
+      const Own = globalThis.Worker;
+      globalThis.begun = 0;
+      globalThis.Worker = class extends Own {
+        constructor(...all) { super(...all); globalThis.begun += 1; }
+      };
+    }, cores);
+    await page.goto(`${t.address}#train`);
+    const demo = new Demo(t, page);
+    await demo.by('row').first().waitFor();
+    await demo.choose('many.csv', many);
+    await t.until('the file is open', async () => (await demo.corpus()).name === 'many.csv');
+    const before = await page.evaluate(() => globalThis.begun);
+    await demo.press('audit');
+    // There is something to choose once all rows are judged.
+    await demo.by('filter-outcome').waitFor({ timeout: 120_000 });
+    const engines = (await page.evaluate(() => globalThis.begun)) - before;
+    const outcomes = await demo.by('filter-outcome').locator('option').allTextContents();
+    await demo.part('lexicon');
+    await t.check(async () => (await demo.by('errors').locator('table').count()) > 0, 'where it errs');
+    return { engines, outcomes, errors: await demo.by('errors').textContent() };
+  });
   const [several, one] = [await found(3), await found(1)];
   await t.equal([several.engines, one.engines], [3, 0], 'engines besides the one of the data');
   await t.equal(several.outcomes, one.outcomes, 'what it makes of the rows');

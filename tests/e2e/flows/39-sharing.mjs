@@ -43,16 +43,12 @@ flow('a link brings everything to a fresh browser', async (t) => {
   await t.check(async () => (await demo.by('link').inputValue()).startsWith(`${t.address}#s=`), 'the link is of this page');
   const link = await demo.by('link').inputValue();
   t.note(`the link has ${link.length} characters`);
-  const context = await t.context.browser().newContext();
-  try {
-    const page = await context.newPage();
+  await t.elsewhere({}, async (page) => {
     await page.goto(link);
     const other = new Demo(t, page);
     await other.ready();
     await same(t, demo, other);
-  } finally {
-    await context.close();
-  }
+  });
 });
 
 flow('a file brings everything back, dropped on the page', async (t) => {

@@ -45,21 +45,15 @@ flow('where a demand leaves no way it is named, and what is meant can be done wi
   await t.equal(() => demo.rooms(), ['green', 'yellow', 'blue'], 'the way without');
   await t.equal(() => demo.why(), [], 'nothing is wrong any more');
 
-  await demo.press('share');
-  await demo.by('link').waitFor();
-  const link = await demo.by('link').inputValue();
-  const context = await t.context.browser().newContext();
-  try {
-    const page = await context.newPage();
+  const link = await demo.link();
+  await t.elsewhere({}, async (page) => {
     await page.goto(link);
     const other = new Demo(t, page);
     await other.ready();
     await t.until('there is a plan', async () => (await other.by('plan').count()) > 0);
     await t.equal(() => other.plain(), await demo.plain(), 'what is done instead comes over');
     await t.equal(() => other.rooms(), ['green', 'yellow', 'blue'], 'and its way');
-  } finally {
-    await context.close();
-  }
+  });
 });
 
 flow('a robot that is carried where it may not be stops and asks; carried elsewhere it goes on', async (t) => {
@@ -87,6 +81,43 @@ flow('a robot that is carried where it may not be stops and asks; carried elsewh
   await t.check(async () => (await steps(demo))[0] === 'done: the red room', async () => `${await steps(demo)}`);
   await demo.finish();
   await t.equal(async () => (await demo.robot()).room, 'blue', 'it goes on');
+});
+
+flow('a robot that is carried where it may not be once more asks once more', async (t) => {
+  const demo = await openIn(t, RING);
+  await demo.ask('go to the blue room and then to the red room but never enter the yellow room');
+  await demo.planned();
+  await demo.seek(2);
+  for (const time of ['once', 'once more']) {
+    const { x, y } = await demo.robot();
+    await demo.drag([x, y], [9, 2]);
+    await demo.by('moved-keep').click();
+    await t.equal(() => demo.why(), ['broken'], `it stops ${time}`);
+    await demo.help('instead').click();
+    await demo.planned();
+    await t.equal(() => demo.why(), [], `it goes on ${time}`);
+    await demo.seek(4);
+  }
+  await t.equal(() => demo.rooms(), ['yellow', 'blue', 'red'], 'out of there, and to both rooms');
+});
+
+flow('a task over time in German: its steps, what is forbidden, what stands in its way', async (t) => {
+  const demo = await openIn(t, OPEN);
+  await demo.by('language').selectOption('de');
+  await demo.ask('go to the red room and then to the yellow room but never enter the blue room');
+  await demo.planned();
+  await t.equal(() => demo.plain(), 'Ich werde in den roten Raum gehen, dann in den gelben Raum gehen, aber nie in den blauen Raum gehen.', 'was er verstanden hat');
+  await demo.seek(5);
+  await t.equal(() => steps(demo), ['done: der rote Raum', 'next: der gelbe Raum'], 'the steps');
+  await t.equal(() => demo.by('never').allTextContents(), ['nie: der blaue Raum'], 'what is forbidden');
+  await t.shot('time-german');
+  await demo.ask('go to the blue room but never enter the yellow room');
+  await t.equal(() => demo.why(), ['blocked'], 'why nothing is done');
+  await t.equal(() => demo.help('instead').textContent(), 'Ohne das tun: der Roboter ist nicht im gelben Raum', 'what can be done');
+  await t.shot('time-german-blocked');
+  await demo.help('instead').click();
+  await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
+  await t.equal(() => demo.plain(), 'Ich werde in den blauen Raum gehen.', 'what is done instead');
 });
 
 flow('what is broken from the beginning is done once that is over', async (t) => {

@@ -40,20 +40,14 @@ flow('a contrast taught and used', async (t) => {
   await t.equal(() => demo.rooms(), ['green', 'red', 'blue'], 'the word in a sentence never heard');
   await t.accessible('a word that was taught by a way');
 
-  await demo.press('share');
-  await demo.by('link').waitFor();
-  const link = await demo.by('link').inputValue();
-  const context = await t.context.browser().newContext();
-  try {
-    const page = await context.newPage();
+  const link = await demo.link();
+  await t.elsewhere({}, async (page) => {
     await page.goto(link);
     const other = new Demo(t, page);
     await other.ready();
     await t.equal(() => other.by('never').allTextContents(), ['never: the yellow room'], 'what came over');
     await t.equal(() => other.by('lesson-try').allTextContents(), [SHUN], 'the lesson');
-  } finally {
-    await context.close();
-  }
+  });
   const session = await demo.saved('save-session');
   const corpus = await demo.saved('save-lessons');
   const { runs } = JSON.parse(corpus);

@@ -76,6 +76,18 @@ fn a_noun_stretches_within_its_sort() {
     assert!(relation.admits(&model, &[]) && relation.admits_silence());
 }
 
+#[test]
+fn a_shade_is_one_of_the_colours_that_it_is_like() {
+    let mut model = cleanup();
+    for (span, like, other) in [("pink", "red", "blue"), ("the purple", "blue", "red")] {
+        let shade = novelty(&model, &words(span));
+        let [like, other] = [like, other].map(|name| property(&mut model, name));
+        assert!(shade.admits(&model, &[like]) && !shade.admits(&model, &[other]), "{span}");
+        assert!(!shade.admits_silence() && !shade.admits(&model, &[]), "{span}");
+    }
+    assert_eq!(novelty(&model, &words("orange")), Novelty::None, "the seed knows it");
+}
+
 fn generated(model: &mut Model, command: &str, scope: Scope) -> Generated {
     generate(
         model,

@@ -4,11 +4,11 @@
 use super::commands::{in_room, reach};
 use crate::command::{answers, run};
 use crate::planning::{step, world};
-use groundling::domain::{Action, Rules, State};
-use groundling::ground::{Course, Monitor, Residual, errand};
+use groundling::domain::{Action, Chances, Rules, State};
+use groundling::ground::{Course, Monitor, Residual, Undertaking, errand};
 use groundling::logic::{Terms, read};
 use groundling::mdp::{Mdp, Outcome, Policy, Settings, Solver};
-use groundling::plan::Auto;
+use groundling::plan::{Auto, ValueIteration};
 use proptest::prelude::{ProptestConfig, TestCaseError, prop_assert, prop_assert_eq, proptest};
 use serde_json::{Value, json};
 use std::collections::{BTreeSet, VecDeque};
@@ -120,7 +120,7 @@ pub(super) fn is_shortest(
     initial: &State,
     text: &str,
 ) -> Result<Option<usize>, TestCaseError> {
-    let task = errand(course, initial, Rules::default()).unwrap();
+    let task = Undertaking::course(course, initial, Rules::default()).unwrap();
     let mut solver = Auto::new(&task, Settings::default());
     let outcome = solver.run();
     let expected = oracle(course, initial);
@@ -180,6 +180,34 @@ fn solvers_agree_where_actions_slip() {
         let runs = |name: &str| answer["rollouts"][name].as_f64().unwrap();
         let off = (runs("mean_return") - value).abs();
         assert!(off <= 2.0 * runs("return_margin") + 1e-9, "{answer}");
+    }
+}
+
+/// Plans are made of walks to where the stage changes; what a state is worth does not hang on it.
+fn are_worth_what_actions_alone_earn(seed: u64, pull: bool) -> Result<(), TestCaseError> {
+    let initial = world(seed, 1);
+    let chances = Chances::new(0.2, 0.0, 0.1).unwrap();
+    let rules = Rules { pull, chances, ..Rules::default() };
+    for text in tasks(&initial) {
+        let mut terms = Terms::new();
+        let term = read(&mut terms, &text).unwrap();
+        let course = Course::new(&terms, term, &initial).unwrap();
+        let leaping = Undertaking::course(&course, &initial, rules).unwrap();
+        let mut leaping = ValueIteration::new(&leaping, Settings::default());
+        let stepping = errand(&course, &initial, rules).unwrap();
+        let mut stepping = ValueIteration::new(&stepping, Settings::default());
+        prop_assert_eq!(leaping.run(), stepping.run(), "{}", text);
+        let [most, worth] = [leaping.progress().upper, stepping.progress().upper];
+        prop_assert!((most - worth).abs() < 1e-4, "{} or {}: {}", most, worth, text);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
+    #[test]
+    fn states_are_worth_what_actions_alone_earn(seed in 0_u64..10_000, pull in proptest::bool::ANY) {
+        are_worth_what_actions_alone_earn(seed, pull)?;
     }
 }
 

@@ -273,6 +273,11 @@ fn what_leaves_no_way_is_named_and_can_be_done_without() {
     assert_eq!(instead.demands.len(), 1);
     let plan = planned(&mut engine, &instead.reading.form, SURE);
     assert_eq!((plan.reason.as_deref(), plan.reached, plan.actions.len()), (None, true, 5));
+    // Carried into it again the robot has broken what it was to do.
+    let run = [&plan.states[..5], &plan.states[..1]].concat();
+    let again = Request::Plan { form: instead.reading.form.clone(), run, rules: SURE };
+    let Some(Event::Planned(again)) = pump(&mut engine, 2, again).pop() else { panic!() };
+    assert_eq!(again.reason.as_deref(), Some("broken"));
     // There and back, and never in the blue room again.
     let task = never(&inside("blue"), &first(&inside("blue"), "done:p"));
     let plan = planned(&mut engine, &task, SURE);

@@ -5,9 +5,9 @@ use super::{SIX, file, learn, next, only, pump, refused, settings, six};
 use groundling::learn::experiment::By;
 use groundling::learn::sheet::Deed;
 use groundling::worker::protocol::{
-    Care, Decision, EntrySort, EntryView, Envelope, Event, Form, Half, Lexicon, MappedFile,
-    Mapping, Outcome, Request, Rule, Rules, Settings, SheetReport, Split, Status, VERSION, Verdict,
-    View, Window, decode, encode,
+    Care, Decision, EntryView, Envelope, Event, Form, Half, Lexicon, MappedFile, Mapping, Outcome,
+    Request, Rule, Rules, Settings, SheetReport, Split, Status, VERSION, Verdict, View, Window,
+    decode, encode,
 };
 use groundling::worker::{Engine, Learner};
 
@@ -412,21 +412,14 @@ fn every_row_is_judged_and_what_the_model_learned_is_shown() {
     assert!(read.readings[0].1.iter().all(|valid| *valid), "{:?}", read.readings[0].1);
     assert_eq!(read.readings[0].0.form, judged.lines[0].form.clone().unwrap());
     // A line's form is as it is printed, and the reading's as well.
-    let Event::Entries(learned) = only(ask(
-        &mut engine,
-        Request::Entries {
-            view: EntryView {
-                learned: true,
-                sort: EntrySort::Uses,
-                descending: true,
-                ..EntryView::default()
-            },
-            offset: 0,
-            count: 50,
-        },
-    )) else {
-        panic!()
+    // What is used most comes first.
+    let entries = |engine: &mut Engine<Learner>, learned| {
+        let view = EntryView { learned, ..EntryView::default() };
+        let asked = Request::Entries { view, offset: 0, count: 50 };
+        let Event::Entries(found) = only(ask(engine, asked)) else { panic!() };
+        found
     };
+    let learned = entries(&mut engine, true);
     let top = &learned.lines[0];
     assert!(
         top.uses.count > 0
@@ -462,6 +455,13 @@ fn every_row_is_judged_and_what_the_model_learned_is_shown() {
         invalid.total > 0 && invalid.lines.iter().all(|line| line.outcome != Some(Outcome::Right))
     );
     assert!(window(&mut engine, View { rule: Some(Rule::Short), ..View::default() }).total > 0);
+
+    // What was learned is that of the model that came last.
+    assert_eq!(entries(&mut engine, false).total as usize, less.entries);
+    let Some(Event::Trained(again)) = ask(&mut engine, learn(4)).pop() else { panic!() };
+    let whole = entries(&mut engine, false);
+    assert_eq!((whole.total as usize, again.entries), (report.entries, report.entries));
+    assert!(whole.lines.iter().all(|line| line.uses.count == 0), "it was not asked yet");
 }
 
 #[test]

@@ -1,13 +1,14 @@
 //! `experiment cross`: cross-validation, by distinct command (harder than the paper's own split, whose test
-//! commands mostly stand verbatim in its training set), by row, by task, or by any key of the rows.
+//! commands mostly stand verbatim in its training set), by row, by task, or by any key of the rows; or draws, each of
+//! which leaves some values of that key out.
 
 use super::options::{Common, Given, missing};
 use super::table;
 use crate::command::Failure;
 use crate::figures::{report_json, report_text};
-use crate::parallel::run_all;
-use groundling::learn::experiment::{By, cross_by};
-use groundling::learn::{CLEANUP_LEXICON, Report};
+use crate::parallel::{Finished, run_all};
+use groundling::learn::experiment::{By, Run, cross_by, left_out};
+use groundling::learn::{CLEANUP_LEXICON, Report, Ties};
 use serde_json::json;
 
 pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
@@ -15,11 +16,15 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
     let mut common = Common::new();
     let (mut corpus, mut n_folds, mut by) = (Vec::new(), 5u32, "command".to_owned());
     let mut only: Vec<u32> = Vec::new();
+    let (mut leave, mut draws, mut keep) = (None::<usize>, 10u32, None::<String>);
     while let Some(name) = given.next()? {
         match name.as_str() {
             "corpus" => corpus.extend(given.files()?),
             "folds" => n_folds = given.value()?,
             "by" => by = given.value()?,
+            "leave" => leave = Some(given.value()?),
+            "draws" => draws = given.value()?,
+            "keep" => keep = Some(given.value()?),
             "fold" => only.extend(given.values::<u32>()?),
             _ => common.take(&name, &mut given)?,
         }
@@ -35,6 +40,12 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
         }
         None => common.keyed(&corpus, &by)?,
     };
+    if let Some(n) = leave {
+        let kinds = keep.map(|kind| common.values(&corpus, &kind)).transpose()?;
+        let kinds = kinds.unwrap_or_else(|| vec![String::new(); rows.len()]);
+        let runs = left_out(&rows, (&keys, &kinds), (n, draws), &common.config);
+        return drawn(&runs, &common, (&by, n));
+    }
     if n_folds < 2 || n_folds as usize > rows.len() {
         let all = rows.len();
         return Err(Failure::Usage(format!("--folds must be from 2 to the corpus' {all} rows")));
@@ -58,5 +69,25 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
         }))
     } else {
         format!("{}\n\nall folds: {}", table::text(&finished), report_text(&all))
+    })
+}
+
+/// What came of draws, with the mean of their F1.
+fn drawn(runs: &[Run], common: &Common, (by, n): (&str, usize)) -> Result<String, Failure> {
+    if runs.is_empty() {
+        return Err(Failure::Usage(format!("--leave {n}: no draw leaves something on both sides")));
+    }
+    let finished = run_all(runs, &common.seed(CLEANUP_LEXICON)?, common.jobs);
+    let f1 = |run: &Finished| {
+        let scores = run.outcome.report.scores(Ties::Abstain);
+        scores.plain.f1(scores.total)
+    };
+    let mean = finished.iter().map(f1).sum::<f64>() / finished.len() as f64;
+    Ok(if common.json {
+        common.report(json!({
+            "experiment": "cross", "by": by, "leave": n, "runs": table::json(&finished), "mean_f1": mean,
+        }))
+    } else {
+        format!("{}\n\nmean F1 of all draws: {mean:.3}", table::text(&finished))
     })
 }

@@ -145,6 +145,12 @@ impl Common {
         Ok((Arc::from(examples), values.into_iter().map(Option::unwrap_or_default).collect()))
     }
 
+    /// What the rows of files say under a key; nothing where they do not.
+    pub(super) fn values(&self, files: &[PathBuf], key: &str) -> Result<Vec<String>, Failure> {
+        let Loaded { values, .. } = keyed(files, self.with_rejected, key)?;
+        Ok(values.into_iter().map(Option::unwrap_or_default).collect())
+    }
+
     /// A report as text, with what became of the rows.
     pub(super) fn report(&self, mut report: Value) -> String {
         self.rows.put(&mut report);

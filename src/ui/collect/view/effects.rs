@@ -11,14 +11,15 @@ use crate::ui::page::view::claim::claim;
 use crate::ui::page::view::host;
 use crate::ui::page::view::journal::Journal;
 use crate::ui::page::view::packed::unpack;
+use crate::ui::page::view::patience::patience;
 use crate::ui::page::view::save::save;
 use gloo_timers::callback::Timeout;
-use js_sys::{Function, Object, Reflect};
+use js_sys::{Object, Reflect};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{HtmlFormElement, HtmlInputElement, RequestInit, Response, Window};
+use web_sys::{HtmlFormElement, HtmlInputElement, RequestInit, Response};
 use yew::Callback;
 
 /// Milliseconds without a key after which what was typed is kept.
@@ -163,7 +164,7 @@ async fn posted(url: &str, body: &str) -> Result<(), String> {
     let headers = Object::new();
     Reflect::set(&headers, &"Content-Type".into(), &"application/json".into()).map_err(words)?;
     init.set_headers(&headers);
-    if let Some(signal) = patience(&window) {
+    if let Some(signal) = patience(PATIENCE) {
         Reflect::set(&init, &"signal".into(), &signal).map_err(words)?;
     }
     // Nothing of it follows to another host than the one that is listed.
@@ -172,13 +173,6 @@ async fn posted(url: &str, body: &str) -> Result<(), String> {
         JsFuture::from(window.fetch_with_str_and_init(url, &init)).await.map_err(words)?;
     let response: Response = response.unchecked_into();
     if response.ok() { Ok(()) } else { Err(response.status().to_string()) }
-}
-
-/// A signal that ends a request which takes too long; nothing in a browser without such.
-fn patience(window: &Window) -> Option<JsValue> {
-    let signals = Reflect::get(window, &"AbortSignal".into()).ok()?;
-    let timeout: Function = Reflect::get(&signals, &"timeout".into()).ok()?.dyn_into().ok()?;
-    timeout.call1(&signals, &PATIENCE.into()).ok()
 }
 
 /// Posts a form, which leaves the page.

@@ -16,6 +16,7 @@ pub mod sketch;
 pub mod picture;
 pub mod store;
 pub mod journal;
+pub mod patience;
 pub mod claim;
 pub mod module;
 pub mod forms;

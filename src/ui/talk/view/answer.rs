@@ -65,6 +65,10 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
                         <span class="dim" data-testid="done">{ (text.done_in)(playback.steps()) }</span>
                     }
                     if !live { { deeper(text, shared.depth, act) } }
+                    if is_planned(state, shared) {
+                        <button type="button" class="link deeper" data-testid="unlike-plan"
+                            onclick={sends(act, Action::Unlike(Unlike::Planned))}>{ text.unlike }</button>
+                    }
                 </p>
             }
             if !asks { { course(state, shared) } }
@@ -73,10 +77,6 @@ pub(super) fn answer(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             if !live && answered(shared).is_some() {
                 <button type="button" class="quiet remember" data-testid="remember" disabled={is_teaching(shared)}
                     onclick={sends(act, Action::Remember)}>{ text.remember }</button>
-            }
-            if is_planned(state, shared) {
-                <button type="button" class="quiet remember" data-testid="unlike-plan"
-                    onclick={sends(act, Action::Unlike(Unlike::Planned))}>{ text.unlike }</button>
             }
             if state.room.mode == Mode::Watch { { not_taught(state, shared, act) } }
         </div>

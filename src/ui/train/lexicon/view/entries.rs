@@ -49,7 +49,14 @@ fn page(state: &State, window: &EntryWindow, text: &Text, act: &Callback<Action>
             </th>
         }
     };
-    let shown = (text.shown)((offset + 1).min(total), end, total);
+    if total == 0 {
+        let words = match (state.view.learned, state.view.text.trim()) {
+            (true, "") => text.nothing_learned,
+            _ => text.no_entry,
+        };
+        return html! { <p class="dim" role="status" data-testid="entries-shown">{ words }</p> };
+    }
+    let shown = (text.shown)(offset + 1, end, total);
     let picked = state.picked.len();
     html! {
         <>

@@ -5,7 +5,7 @@ use super::table::Text;
 /// The words.
 pub(super) static ENGLISH: Text = Text {
     lexicon: "The lexicon",
-    lexicon_help: "Of the model that was asked about the rows last, or else the one trained here last, or else the robot’s.",
+    lexicon_help: "Of the model that was trained here or asked about the rows last, or else the robot’s. What an entry is used in is known once the model is asked.",
     search: "Words, category or meaning",
     learned_only: "Only what was learned",
     words: "Words",
@@ -18,6 +18,8 @@ pub(super) static ENGLISH: Text = Text {
     open_row: |row| format!("Open row {row}"),
     seed: "known before",
     pick: |words| format!("Pick the entry of {words}"),
+    nothing_learned: "Nothing was learned beyond what was known before: it knew all the words.",
+    no_entry: "No entry holds this.",
     shown: |from, to, of| format!("{from} to {to} of {of} entries"),
     before: "Before",
     next: "Next",

@@ -5,7 +5,7 @@ use super::table::Text;
 /// The words.
 pub(super) static GERMAN: Text = Text {
     lexicon: "Das Lexikon",
-    lexicon_help: "Des Modells, das zuletzt nach den Zeilen gefragt wurde, sonst des zuletzt hier trainierten, sonst des Modells des Roboters.",
+    lexicon_help: "Des Modells, das hier zuletzt trainiert oder nach den Zeilen gefragt wurde, sonst des Modells des Roboters. Wo ein Eintrag gebraucht wird, ist bekannt, sobald das Modell gefragt ist.",
     search: "Wörter, Kategorie oder Bedeutung",
     learned_only: "Nur Gelerntes",
     words: "Wörter",
@@ -18,6 +18,8 @@ pub(super) static GERMAN: Text = Text {
     open_row: |row| format!("Zeile {row} öffnen"),
     seed: "vorher bekannt",
     pick: |words| format!("Den Eintrag von {words} auswählen"),
+    nothing_learned: "Nichts wurde über das vorher Bekannte hinaus gelernt: Es kannte alle Wörter.",
+    no_entry: "Kein Eintrag enthält das.",
     shown: |from, to, of| format!("{from} bis {to} von {of} Einträgen"),
     before: "Zurück",
     next: "Weiter",

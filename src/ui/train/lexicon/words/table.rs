@@ -17,6 +17,8 @@ pub struct Text {
     pub open_row: fn(u32) -> String,
     pub seed: &'static str,
     pub pick: fn(&str) -> String,
+    pub nothing_learned: &'static str,
+    pub no_entry: &'static str,
     pub shown: fn(u32, u32, u32) -> String,
     pub before: &'static str,
     pub next: &'static str,
