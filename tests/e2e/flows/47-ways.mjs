@@ -4,8 +4,8 @@
 import { flow } from '../flow.mjs';
 import { Demo, RING, openIn } from '../page.mjs';
 
-const SHUN = 'go to the blue room shunning the red room';
-const OTHER = 'go to the blue room shunning the yellow room';
+const SHUN = 'go to the blue room blarging the red room';
+const OTHER = 'go to the blue room blarging the yellow room';
 const BY_YELLOW = [...Array(7).fill('ArrowRight'), ...Array(3).fill('ArrowUp')];
 
 /** Says it, and waits for the plan. */

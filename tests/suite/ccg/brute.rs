@@ -3,7 +3,7 @@
 use groundling::ccg::combinator::Made;
 use groundling::ccg::features::root_features;
 use groundling::ccg::{Atom, Category, Feature, Lexical, Model, RuleId, SyntaxId};
-use groundling::logic::{TermId, print, ty};
+use groundling::logic::{Node, TermId, Terms, print, ty};
 use std::collections::BTreeMap;
 
 /// One derivation of a span.
@@ -38,6 +38,18 @@ impl Admitted {
 /// What a chart admits.
 pub(super) const NORMAL_FORM: Admitted = Admitted { normal_form: true, vacuous: false };
 
+/// Whether a conjunction claims and denies the same, which nobody means.
+pub(super) fn contradicts(terms: &Terms, both: TermId) -> bool {
+    let Node::Apply { args, .. } = terms.node(both) else { return false };
+    let is_denied = |&part: &TermId| match terms.node(part) {
+        Node::Apply { args: &[denied], .. } => {
+            terms.head_name(part) == Some("not") && args.contains(&denied)
+        }
+        _ => false,
+    };
+    terms.head_name(both) == Some("and") && args.iter().any(is_denied)
+}
+
 /// The goals of a sentence that is one command.
 pub(super) fn commands(
     model: &mut Model,
@@ -47,7 +59,10 @@ pub(super) fn commands(
 ) -> Vec<TermId> {
     let found = derive(model, lexical, (0, n_words), admitted).into_iter();
     let found = found.filter(|found| model.grammar.syntaxes.is(found.category.syntax, Atom::S));
-    let mut goals: Vec<TermId> = found.map(|found| found.category.meaning).collect();
+    let mut goals: Vec<TermId> = found
+        .map(|found| found.category.meaning)
+        .filter(|&goal| !contradicts(&model.grammar.terms, goal))
+        .collect();
     goals.sort_unstable();
     goals.dedup();
     goals
@@ -69,7 +84,8 @@ pub(super) fn goals(
     let mut best: BTreeMap<String, f64> = BTreeMap::new();
     for found in derive(model, lexical, (0, n_words), admitted) {
         let Category { syntax, meaning } = found.category;
-        if syntax.is_sentence() && model.grammar.terms.ty(meaning) == ty::TRUTH {
+        let terms = &model.grammar.terms;
+        if syntax.is_sentence() && terms.ty(meaning) == ty::TRUTH && !contradicts(terms, meaning) {
             let root = root_features(&model.grammar.terms, &model.grammar.sorts, meaning);
             let score = root.iter().fold(found.score, |sum, &f| sum + model.features.value(f));
             let known = best.entry(print(&model.grammar.terms, meaning)).or_insert(score);

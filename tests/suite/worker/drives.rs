@@ -46,16 +46,16 @@ fn rooms(model: &str, command: &str) -> Vec<String> {
 
 #[test]
 fn what_is_not_meant_teaches_a_word_that_forbids() {
-    let lesson = driven("go to the blue room shunning the red room", BY_YELLOW, &[BY_RED]);
+    let lesson = driven("go to the blue room blarging the red room", BY_YELLOW, &[BY_RED]);
     let report = teach(&[lesson]);
     assert_eq!((report.understood, report.by_end), (vec![true], false));
     assert!(report.check.unwrap().ends);
     let model = &report.model.model;
     assert_eq!(
-        rooms(model, "go to the blue room shunning the red room"),
+        rooms(model, "go to the blue room blarging the red room"),
         ["green", "yellow", "blue"]
     );
-    let other = "move to the blue room shunning the yellow room";
+    let other = "move to the blue room blarging the yellow room";
     assert_eq!(rooms(model, other), ["green", "red", "blue"], "in a sentence never heard");
 }
 
@@ -70,7 +70,7 @@ fn what_is_not_meant_teaches_a_word_that_leads_through() {
 
 #[test]
 fn who_drives_too_far_is_understood() {
-    let command = "go to the blue room shunning the red room";
+    let command = "go to the blue room blarging the red room";
     let far = format!("{BY_YELLOW}nnw");
     let report = teach(&[driven(command, &far, &[BY_RED])]);
     assert_eq!((report.understood, report.by_end), (vec![true], false));
