@@ -9,6 +9,19 @@ const sent = () => new Promise((resolve) => {
   onmessage = ({ data }) => resolve(data);
 });
 
+/** Has what comes late (split.mjs) join a program that wants it, and waits for it, as a worker may. */
+const lateProgram = (address) => (first) => {
+  const request = new XMLHttpRequest();
+  request.open("GET", address, false);
+  request.responseType = "arraybuffer";
+  try {
+    request.send();
+    new WebAssembly.Instance(new WebAssembly.Module(request.response), { first });
+  } catch (error) {
+    throw new WebAssembly.RuntimeError(`A part of the talker could not be fetched. Is there a network? ${error}`);
+  }
+};
+
 try {
   if (learns) {
     const { default: start } = await import("./learner.js");
@@ -16,6 +29,7 @@ try {
   } else {
     const { script, program } = await sent();
     const { default: start } = await import(script);
+    globalThis.late = lateProgram(script.replace(/\.js$/, "_late.wasm"));
     await start({ module_or_path: program });
   }
 } catch (error) {

@@ -1,7 +1,7 @@
 // Part of building the site for release (finish.mjs): what the first view does without leaves the page's program for a second
 // one, which comes after it and shares its memory, its tables and its functions. In the first program a short stub stands
 // for each function that left; it goes through a table that the second fills when it comes. Should one be wanted before,
-// the stub has the second fetched there and then (`late`, in boot.js). Works on the text form, where all have names.
+// the stub has the second fetched there and then (`late`, in boot.js and engine.js). Works on the text form, where all have names.
 
 import { execFile } from 'node:child_process';
 import { readFile, readdir, rm, writeFile } from 'node:fs/promises';
@@ -14,7 +14,9 @@ const FLAGS = FEATURES.map((feature) => `--enable-${feature}`);
 
 /** Where what comes late is at home; whatever only these use goes with them. */
 const LATE = [
-  'ui::help', 'ui::kept', 'ui::app::view::kept', 'ui::app::view::address::share',
+  'ground::errand', 'ground::itinerary', 'ground::monitor', 'ground::relax', 'ground::strides',
+  'ground::undertaking::Undertaking::course', 'plan::lrtdp', 'plan::uct', 'plan::value_iteration', 'worker::course',
+  'ui::page::grammar::german', 'ui::help', 'ui::kept', 'ui::app::view::kept', 'ui::app::view::address::share',
   'ui::page::view::files::read_all', 'ui::page::view::files::sort', 'ui::talk::command::ask::instead',
   'ui::talk::past', 'ui::talk::proof', 'ui::talk::room::edit', 'ui::talk::room::hand::release',
   'ui::talk::room::moved', 'ui::talk::room::worlds', 'ui::talk::share::also', 'ui::talk::share::session',

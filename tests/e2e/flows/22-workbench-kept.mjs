@@ -29,7 +29,7 @@ async function keptRun(demo, name, text, passes) {
 }
 
 /** So many that the run outlasts what is done to it, on a fast machine, too. */
-const PASSES = 300;
+const PASSES = 1200;
 
 /** How far the run is: the pass and the command. */
 async function reached(demo) {
