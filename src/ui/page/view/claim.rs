@@ -21,12 +21,12 @@ extern "C" {
     ) -> Result<Promise, JsValue>;
 }
 
-/// Milliseconds that a tab which was closed, or is being loaded anew, may take to let go of its lock: on a busy machine it
-/// does so after the next one has opened.
-const PATIENCE: u32 = 2_000;
+/// Milliseconds that a tab which was closed, or is being loaded anew, may take to let go of its lock: where its engines are
+/// at work, or the machine is, it does so after the next one has opened.
+const PATIENCE: u32 = 6_000;
 
 /// Claims a name for this tab; whether it has it. With `steal` it is taken from the tab that has it, which is waited for
-/// otherwise, two seconds. When another takes it, `lost` is called. A browser without locks gives it to all.
+/// otherwise, six seconds. When another takes it, `lost` is called. A browser without locks gives it to all.
 pub async fn claim(name: &str, steal: bool, lost: impl FnOnce() + Clone + 'static) -> bool {
     let navigator = Reflect::get(&js_sys::global(), &"navigator".into());
     let locks = navigator.and_then(|navigator| Reflect::get(&navigator, &"locks".into()));
