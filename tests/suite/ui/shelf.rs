@@ -128,6 +128,8 @@ fn a_run_is_kept_with_its_corpus_and_goes_on_when_the_page_is_opened_again() {
     again.settle(6);
     let Request::Learn { resume, .. } = again.asked() else { panic!("{:?}", again.posted) };
     assert_eq!(resume.as_deref(), Some("so far"));
+    // The grid of the data view still tells how far it is scrolled, on its way out: the run stays in view.
+    again.data(data::Action::Look(data::action::Look::Scrolled(0, 5)));
     assert_eq!((again.state.tab, again.live().points.len()), (Tab::Run, 1));
     assert!(again.state.kept.came_back.is_some());
 }

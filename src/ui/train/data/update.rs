@@ -39,6 +39,8 @@ pub fn update(state: &mut State, desk: &mut Desk, action: Action) -> bool {
             if let Some(sheet) = &mut state.sheet {
                 look::look(sheet, desk, action);
             }
+            // Who scrolls is there; a grid that comes to be there tells how far it is scrolled by itself.
+            return false;
         }
         Action::Care(action) => {
             if let Some(sheet) = &mut state.sheet {
