@@ -396,7 +396,8 @@ impl Occurring<'_> {
             self.features.extend(pairs);
         }
         predicates.dedup();
-        let adjectives = predicates.iter().filter(|&&one| self.is_adjective(one)).count();
+        let adjectives =
+            predicates.iter().filter(|&&one| self.sorts.is_quality(self.terms.name(one))).count();
         self.features.extend((1..adjectives).map(|_| Feature::Adjectives));
     }
 
@@ -416,12 +417,6 @@ impl Occurring<'_> {
             }
             _ => about(&body).into_iter().collect(),
         }
-    }
-
-    /// Whether a predicate says how a thing is, not what it is.
-    fn is_adjective(&self, predicate: ConstantId) -> bool {
-        let name = self.terms.name(predicate);
-        self.sorts.of(name).is_some_and(|sorts| sorts.len() == 1) && !self.sorts.is_noun(name)
     }
 
     fn is_and(&self, head: TermId) -> bool {

@@ -82,17 +82,21 @@ fn body(terms: &Terms, function: TermId) -> Option<TermId> {
     }
 }
 
-/// The arguments of a term with this head.
-fn arguments<'a>(terms: &'a Terms, term: TermId, name: &str) -> Option<&'a [TermId]> {
-    match terms.node(term) {
-        Node::Apply { args, .. } if terms.head_name(term) == Some(name) => Some(args),
-        _ => None,
-    }
+/// What is said of what a phrase such as `the` or `exists` is of, part by part.
+fn said_of(terms: &Terms, phrase: TermId, quantifier: &str) -> Option<Vec<TermId>> {
+    let &[property] = terms.arguments(phrase, quantifier)? else { return None };
+    Some(body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body)))
+}
+
+/// The thing that is said to be in a place that `the` names, and what is said of that place.
+fn placed(terms: &Terms, part: TermId) -> Option<(TermId, Vec<TermId>)> {
+    let &[thing, place] = terms.arguments(part, "in")? else { return None };
+    Some((thing, said_of(terms, place, "the")?))
 }
 
 /// Whether it is said of a place, by the innermost variable, that a thing is in it: which.
 fn stands(terms: &Terms, part: TermId) -> Option<TermId> {
-    match arguments(terms, part, "in")? {
+    match terms.arguments(part, "in")? {
         &[thing, place] if terms.node(place) == Node::Variable(0) => Some(thing),
         _ => None,
     }
@@ -100,67 +104,52 @@ fn stands(terms: &Terms, part: TermId) -> Option<TermId> {
 
 /// Whether it is that in some room a thing is not: denied, the thing would have to be in all rooms at once.
 fn is_everywhere(terms: &Terms, denied: TermId) -> bool {
-    let Some(&[property]) = arguments(terms, denied, "exists") else { return false };
-    let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+    let Some(parts) = said_of(terms, denied, "exists") else { return false };
     let is_room = |&part: &TermId| terms.head_name(part) == Some("room");
-    let is_outside = |&part: &TermId| match arguments(terms, part, "not") {
-        Some(&[inside]) => stands(terms, inside).is_some(),
-        _ => false,
-    };
+    let is_outside =
+        |&part: &TermId| terms.denied(part).is_some_and(|inside| stands(terms, inside).is_some());
     parts.iter().any(is_room) && parts.iter().any(is_outside)
 }
 
 /// Whether a thing is to leave the place where it is, if that is none of some others: "the other room, not the red one".
 fn is_narrow(terms: &Terms, denied: TermId) -> bool {
-    let Some(&[thing, place]) = arguments(terms, denied, "in") else { return false };
-    let Some(&[property]) = arguments(terms, place, "the") else { return false };
-    let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+    let Some((thing, parts)) = placed(terms, denied) else { return false };
     parts.iter().any(|&part| stands(terms, part) == Some(thing))
         && parts.iter().any(|&part| terms.head_name(part) == Some("not"))
 }
 
 /// Whether a thing is in a door, where nothing ever is: denied, nothing would be asked for.
 fn is_door(terms: &Terms, denied: TermId) -> bool {
-    let Some(&[_, place]) = arguments(terms, denied, "in") else { return false };
-    let Some(&[property]) = arguments(terms, place, "the") else { return false };
-    let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+    let Some((_, parts)) = placed(terms, denied) else { return false };
     parts.iter().any(|&part| terms.head_name(part) == Some("door"))
 }
 
 /// Whether a thing is to be somewhere, and then not: whoever leaves a place when a thing is there is the robot.
 fn is_undone(terms: &Terms, first: TermId, next: TermId) -> bool {
-    let undone = arguments(terms, next, "until").and_then(|then| then.get(1).copied());
-    let denied = undone.and_then(|undone| arguments(terms, undone, "not"));
-    let Some(&[thing, _]) = arguments(terms, first, "in") else { return false };
-    let is_robot = |thing: TermId| {
-        let property = arguments(terms, thing, "the").and_then(|args| args.first().copied());
-        let body = property.and_then(|property| body(terms, property));
-        body.is_some_and(|body| terms.head_name(body) == Some("agent"))
+    let undone = terms.arguments(next, "until").and_then(|then| then.get(1).copied());
+    let denied = undone.and_then(|undone| terms.denied(undone));
+    let Some(&[thing, _]) = terms.arguments(first, "in") else { return false };
+    let is_agent = |&part: &TermId| terms.head_name(part) == Some("agent");
+    let is_robot = |thing| {
+        said_of(terms, thing, "the").is_some_and(|all| matches!(&all[..], [one] if is_agent(one)))
     };
-    denied == Some(&[first]) && !is_robot(thing)
+    denied == Some(first) && !is_robot(thing)
 }
 
 /// Whether something is claimed and denied, be it as one of several.
 fn contradicts(terms: &Terms, parts: &[TermId]) -> bool {
-    let several = |part: TermId| match arguments(terms, part, "or") {
-        Some(several) => several.to_vec(),
-        None => vec![part],
-    };
+    let several =
+        |part: TermId| terms.arguments(part, "or").map_or_else(|| vec![part], <[_]>::to_vec);
     let claimed: Vec<TermId> = parts.iter().flat_map(|&part| several(part)).collect();
-    let is_denied = |&part: &TermId| match arguments(terms, part, "not") {
-        Some(&[denied]) => several(denied).iter().any(|one| claimed.contains(one)),
-        _ => false,
-    };
-    parts.iter().any(is_denied)
+    let mut denials = parts.iter().filter_map(|&part| terms.denied(part));
+    denials.any(|denied| several(denied).iter().any(|one| claimed.contains(one)))
 }
 
 /// Whether one thing is said to have two qualities of one kind, such as colours, or to be in two places that have.
 fn mixes(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
     let own = parts.iter().flat_map(|&part| quality(terms, sorts, part));
     let places = parts.iter().flat_map(|&part| {
-        let Some(&[thing, place]) = arguments(terms, part, "in") else { return Vec::new() };
-        let Some(&[property]) = arguments(terms, place, "the") else { return Vec::new() };
-        let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+        let Some((thing, parts)) = placed(terms, part) else { return Vec::new() };
         let all = parts.into_iter().flat_map(|part| quality(terms, sorts, part));
         all.map(|(_, kind, name)| (thing, kind, name)).collect()
     });
@@ -180,7 +169,7 @@ fn quality<'a>(
 ) -> Option<(TermId, &'a [SortSet], &'a str)> {
     let Node::Apply { args: &[of], .. } = terms.node(part) else { return None };
     let name = terms.head_name(part)?;
-    let is_quality = matches!(terms.node(of), Node::Variable(_)) && !sorts.is_noun(name);
+    let is_quality = matches!(terms.node(of), Node::Variable(_)) && sorts.is_quality(name);
     is_quality.then_some((of, sorts.of(name)?, name))
 }
 
@@ -188,15 +177,14 @@ fn quality<'a>(
 /// not to be what has all its properties: the chair other than the chair.
 fn excludes_idly(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
     parts.iter().any(|&part| {
-        let denied = arguments(terms, part, "not").and_then(|denied| denied.first().copied());
-        let Some(&[a, b]) = arguments(terms, denied.unwrap_or(part), "eq") else { return false };
+        let denied = terms.denied(part);
+        let Some(&[a, b]) = terms.arguments(denied.unwrap_or(part), "eq") else { return false };
         let (index, phrase) = match (terms.node(a), terms.node(b)) {
             (Node::Variable(index), _) => (index, b),
             (_, Node::Variable(index)) => (index, a),
             _ => return false,
         };
-        let Some(&[property]) = arguments(terms, phrase, "the") else { return false };
-        let of_phrase = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+        let Some(of_phrase) = said_of(terms, phrase, "the") else { return false };
         let is_own = |part: &TermId| parts.contains(part);
         if denied.is_some() && index == 0 && of_phrase.iter().all(is_own) {
             return true;
@@ -209,19 +197,15 @@ fn excludes_idly(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
 /// Whether a thing is to be in two places at once, one of which is told by what it is not: of what is listed behind "other
 /// than" only a part would be excluded, and the rest asked for.
 fn excludes_half(terms: &Terms, parts: &[TermId]) -> bool {
-    let denies = |&part: &TermId| match arguments(terms, part, "not") {
-        Some(&[denied]) => terms.head_name(denied) != Some("in"),
-        _ => false,
+    let denies = |&part: &TermId| {
+        terms.denied(part).is_some_and(|denied| terms.head_name(denied) != Some("in"))
     };
     let place = |&part: &TermId| -> Option<(TermId, bool)> {
-        if let Some(&[property]) = arguments(terms, part, "exists") {
-            let of_place = conjuncts(terms, body(terms, property)?);
-            let thing = of_place.iter().find_map(|&part| stands(terms, part))?;
-            return Some((thing, of_place.iter().any(denies)));
-        }
-        let &[thing, place] = arguments(terms, part, "in")? else { return None };
-        let &[property] = arguments(terms, place, "the")? else { return None };
-        Some((thing, conjuncts(terms, body(terms, property)?).iter().any(denies)))
+        let (thing, of_place) = match said_of(terms, part, "exists") {
+            Some(all) => (all.iter().find_map(|&part| stands(terms, part))?, all),
+            None => placed(terms, part)?,
+        };
+        (!of_place.is_empty()).then(|| (thing, of_place.iter().any(denies)))
     };
     let places: Vec<(TermId, bool)> = parts.iter().filter_map(place).collect();
     places.iter().enumerate().any(|(at, &(thing, excludes))| {

@@ -299,7 +299,7 @@ impl Teller<'_> {
 
     /// The name of the constant that heads a term.
     fn name(self, term: TermId) -> Option<String> {
-        Some(self.terms.name(self.terms.head_constant(term)?).to_owned())
+        self.terms.head_name(term).map(str::to_owned)
     }
 
     fn formula(self, term: TermId) -> Option<String> {

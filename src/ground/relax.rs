@@ -55,14 +55,7 @@ pub fn without(terms: &mut Terms, task: TermId, demands: &[TermId]) -> Result<Te
 
 /// Whether all that is to hold until something is so is that it is not: it is meant the first time that it is so.
 pub fn is_first(terms: &Terms, hold: TermId, reach: TermId) -> bool {
-    denied(terms, hold) == Some(reach) || denied(terms, reach) == Some(hold)
-}
-
-/// What a term denies.
-fn denied(terms: &Terms, term: TermId) -> Option<TermId> {
-    let Node::Apply { head, args: &[denied] } = terms.node(term) else { return None };
-    let Node::Constant(constant) = terms.node(head) else { return None };
-    (terms.name(constant) == "not").then_some(denied)
+    terms.denied(hold) == Some(reach) || terms.denied(reach) == Some(hold)
 }
 
 /// The task from where its demands are met for the first time: "once outside, not again".
@@ -74,7 +67,7 @@ pub fn once(terms: &mut Terms, task: TermId, demands: &[TermId]) -> Result<TermI
     let types = ["<t,<t,<p,p>>>", "<t,t>"].map(|text| terms.types.read(text));
     let [Some(until), Some(not)] = types else { return Ok(task) };
     let until = terms.constant_term("until", until)?;
-    let unmet = match denied(terms, met) {
+    let unmet = match terms.denied(met) {
         Some(unmet) => unmet,
         None => {
             let not = terms.constant_term("not", not)?;

@@ -225,16 +225,9 @@ pub fn cross(corpus: &Arc<[Example]>, n: u32, by: By, config: &Config) -> Vec<Ru
 /// The same for whatever parts a corpus: rows with the same key, of which there is one a row, stay together. A fold
 /// that would judge nothing, or learn from nothing, is none.
 pub fn cross_by(corpus: &Arc<[Example]>, n: u32, keys: &[String], config: &Config) -> Vec<Run> {
-    let run = |(number, Fold { train, test }): (usize, Fold)| Run {
-        name: format!("fold {number}"),
-        train: Selection::of(corpus, train),
-        test: Selection::of(corpus, test),
-        config: config.clone(),
-        paper_f1: None,
-    };
     let folds = folds(keys, n, config.seed).into_iter();
     let folds = folds.filter(|fold| !fold.test.is_empty() && !fold.train.is_empty());
-    (1..).zip(folds).map(run).collect()
+    (1..).zip(folds).map(|(n, fold)| parted(corpus, format!("fold {n}"), fold, config)).collect()
 }
 
 /// As many runs as `draws`, each trained without all rows of `n` keys, drawn by chance, and judged on those. There is a key
@@ -245,18 +238,21 @@ pub fn left_out(
     (n, draws): (usize, u32),
     config: &Config,
 ) -> Vec<Run> {
-    let run = |draw: u32| {
-        let Fold { train, test } = leave(keys, kinds, n, config.seed.wrapping_add(draw));
-        Run {
-            name: format!("draw {}", draw + 1),
-            train: Selection::of(corpus, train),
-            test: Selection::of(corpus, test),
-            config: config.clone(),
-            paper_f1: None,
-        }
-    };
-    let runs = (0..draws).map(run);
-    runs.filter(|run| !run.test.is_empty() && !run.train.is_empty()).collect()
+    let draw = |draw| (draw + 1, leave(keys, kinds, n, config.seed.wrapping_add(draw)));
+    let folds = (0..draws).map(draw);
+    let folds = folds.filter(|(_, fold)| !fold.test.is_empty() && !fold.train.is_empty());
+    folds.map(|(n, fold)| parted(corpus, format!("draw {n}"), fold, config)).collect()
+}
+
+/// A run on two parts of a corpus.
+fn parted(corpus: &Arc<[Example]>, name: String, fold: Fold, config: &Config) -> Run {
+    Run {
+        name,
+        train: Selection::of(corpus, fold.train),
+        test: Selection::of(corpus, fold.test),
+        config: config.clone(),
+        paper_f1: None,
+    }
 }
 
 /// The rows of Table II for one set: all three, the first two, the first of each command's demonstrations, judged

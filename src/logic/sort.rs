@@ -45,6 +45,11 @@ impl Sorts {
         matches!(self.arguments.get(name).map(|sets| &**sets), Some([set]) if set.count_ones() == 1)
     }
 
+    /// Whether the constant says how a thing is, not what it is: any other property.
+    pub fn is_quality(&self, name: &str) -> bool {
+        self.of(name).is_some_and(|sets| sets.len() == 1) && !self.is_noun(name)
+    }
+
     /// Narrows the sorts of the variables around `term`, innermost last, by what it says of them.
     fn check(&self, terms: &Terms, term: TermId, around: &mut Vec<SortSet>) -> bool {
         match terms.node(term) {

@@ -291,6 +291,22 @@ impl Terms {
         self.head_constant(term).map(|constant| self.name(constant))
     }
 
+    /// The arguments of an application that is headed by the constant of this name.
+    pub fn arguments(&self, term: TermId, name: &str) -> Option<&[TermId]> {
+        match self.node(term) {
+            Node::Apply { args, .. } if self.head_name(term) == Some(name) => Some(args),
+            _ => None,
+        }
+    }
+
+    /// What a term says is not so.
+    pub fn denied(&self, term: TermId) -> Option<TermId> {
+        match self.arguments(term, "not") {
+            Some(&[denied]) => Some(denied),
+            _ => None,
+        }
+    }
+
     /// The constants of a term, in the order of their first occurrence.
     pub fn constants(&self, term: TermId) -> Vec<ConstantId> {
         let mut found = Vec::new();
