@@ -66,6 +66,16 @@ export async function openTrain(t) {
   return demo;
 }
 
+/** What `body` finds on the page at an address, in a browser that has seen nothing yet, once a command can be sent. */
+export function openElsewhere(t, address, body) {
+  return t.elsewhere({}, async (page) => {
+    await page.goto(address);
+    const demo = new Demo(t, page);
+    await demo.ready();
+    return body(demo);
+  });
+}
+
 /** The open page where one talks and trains. */
 export class Demo extends Opened {
   /** How much of what was said aloud has been waited for. */

@@ -2,7 +2,7 @@
 // taught; a damaged one changes nothing and says so.
 
 import { flow } from '../flow.mjs';
-import { Demo, openPage } from '../page.mjs';
+import { openElsewhere, openPage } from '../page.mjs';
 
 /** A page that taught and said something, and chose the second reading. */
 async function busy(t) {
@@ -43,10 +43,7 @@ flow('a link brings everything to a fresh browser', async (t) => {
   await t.check(async () => (await demo.by('link').inputValue()).startsWith(`${t.address}#s=`), 'the link is of this page');
   const link = await demo.by('link').inputValue();
   t.note(`the link has ${link.length} characters`);
-  await t.elsewhere({}, async (page) => {
-    await page.goto(link);
-    const other = new Demo(t, page);
-    await other.ready();
+  await openElsewhere(t, link, async (other) => {
     await same(t, demo, other);
   });
 });

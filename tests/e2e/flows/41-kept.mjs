@@ -3,7 +3,7 @@
 
 import path from 'node:path';
 import { OUT, flow } from '../flow.mjs';
-import { Demo, csv, openPage, openTrain, rows } from '../page.mjs';
+import { Demo, csv, openElsewhere, openPage, openTrain, rows } from '../page.mjs';
 
 /** Waits until what was done last is kept: the text in the store holds these words. */
 async function kept(demo, words) {
@@ -132,10 +132,7 @@ flow('on a phone a saved file is opened, too', { viewport: { width: 390, height:
 
 flow('a link is opened beside the session that is kept, and never over it', async (t) => {
   t.expect(/ERR_ABORTED/);
-  const link = await t.elsewhere({}, async (page) => {
-    await page.goto(t.address);
-    const other = new Demo(t, page);
-    await other.ready();
+  const link = await openElsewhere(t, t.address, async (other) => {
     await other.ask('walk next to the yellow block');
     return other.link();
   });

@@ -2,7 +2,7 @@
 // explained and relaxed; one that is broken from the beginning.
 
 import { flow } from '../flow.mjs';
-import { Demo, RING, openIn } from '../page.mjs';
+import { RING, openElsewhere, openIn } from '../page.mjs';
 
 /** The same without the door between the red and the blue room. */
 const OPEN = RING.replace('rrrrr+bbbbb', 'rrrrr#bbbbb').replace('+ door unlocked\n', '');
@@ -46,10 +46,7 @@ flow('where a demand leaves no way it is named, and what is meant can be done wi
   await t.equal(() => demo.why(), [], 'nothing is wrong any more');
 
   const link = await demo.link();
-  await t.elsewhere({}, async (page) => {
-    await page.goto(link);
-    const other = new Demo(t, page);
-    await other.ready();
+  await openElsewhere(t, link, async (other) => {
     await t.until('there is a plan', async () => (await other.by('plan').count()) > 0);
     await t.equal(() => other.plain(), await demo.plain(), 'what is done instead comes over');
     await t.equal(() => other.rooms(), ['green', 'yellow', 'blue'], 'and its way');

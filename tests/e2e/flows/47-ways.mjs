@@ -2,7 +2,7 @@
 // understood from then on, here and where it is shared; undone, it is a word that nobody knows.
 
 import { flow } from '../flow.mjs';
-import { Demo, RING, openIn } from '../page.mjs';
+import { RING, openElsewhere, openIn } from '../page.mjs';
 
 const SHUN = 'go to the blue room blarging the red room';
 const OTHER = 'go to the blue room blarging the yellow room';
@@ -41,10 +41,7 @@ flow('a contrast taught and used', async (t) => {
   await t.accessible('a word that was taught by a way');
 
   const link = await demo.link();
-  await t.elsewhere({}, async (page) => {
-    await page.goto(link);
-    const other = new Demo(t, page);
-    await other.ready();
+  await openElsewhere(t, link, async (other) => {
     await t.equal(() => other.by('never').allTextContents(), ['never: the yellow room'], 'what came over');
     await t.equal(() => other.by('lesson-try').allTextContents(), [SHUN], 'the lesson');
   });
