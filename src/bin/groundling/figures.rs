@@ -63,7 +63,8 @@ pub(crate) fn report_text(report: &Report) -> String {
     let paper = report.scores(Ties::Abstain);
     let resolved = report.scores(Ties::Refer);
     let intervals = report.intervals(Ties::Abstain);
-    let mut lines = vec![format!("{} commands (95 % intervals in brackets)", paper.total)];
+    let commands = if paper.total == 1 { "command" } else { "commands" };
+    let mut lines = vec![format!("{} {commands} (95 % intervals in brackets)", paper.total)];
     let (plain, skipping) = intervals.split_at(3);
     lines.push(line("without skipping", paper.plain, paper.total, plain));
     lines.push(line("with skipping", paper.skipping, paper.total, skipping));

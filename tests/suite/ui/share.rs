@@ -101,6 +101,22 @@ fn what_a_person_says_goes_before_what_a_link_has_still_to_say() {
 }
 
 #[test]
+fn what_a_person_types_stays_in_the_box_when_a_session_speaks_at_last() {
+    let mut page = Page::ready();
+    page.state.shared.words = Resource::Coming;
+    let session = Session { lessons: Vec::new(), ..session() };
+    page.act(talk::Action::Open(Ok(session.pack())));
+    page.act(talk::Action::Typed("enter the red room".to_owned()));
+    page.act(Action::FetchedWords(Ok("stool\tchair\n".to_owned())));
+    page.answer(Event::Words);
+    assert_eq!(page.state.talk.command.input, "enter the red room");
+    page.act(talk::Action::Ask);
+    let typed =
+        |r: &Request| matches!(r, Request::Ask { command, .. } if command == "enter the red room");
+    assert!(page.state.shared.talker.is_at(typed));
+}
+
+#[test]
 fn what_a_link_may_not_hold_is_refused_and_changes_nothing() {
     let good = session();
     let with = |change: fn(&mut Session)| {

@@ -80,7 +80,7 @@ fn open(state: &mut State, shared: &mut Shared, session: Session) {
     state.sharing = Sharing::default();
     state.command.input = command.clone().unwrap_or_default();
     let (lessons, is_quiet) = ((!lessons.is_empty()).then_some(lessons), also.is_some());
-    state.resume = Resume { lessons, command, form, is_quiet, input: None };
+    state.resume = Resume { lessons, command, form, is_quiet };
     let also = also.as_deref().and_then(Also::unpack);
     let trained = also.and_then(|also| restore(state, shared, also));
     match model {
@@ -101,8 +101,7 @@ fn restore(state: &mut State, shared: &mut Shared, also: Also) -> Option<String>
     document.draft = draft;
     state.teach.words = lesson;
     state.past.lines = lines;
-    state.command.input.clone_from(&input);
-    state.resume.input = Some(input);
+    state.command.input = input;
     if let Some(language) = Language::of(&language) {
         shared.language = language;
         shared.want(Effect::SetLanguage(language));
@@ -120,10 +119,10 @@ pub(crate) fn resume(state: &mut State, shared: &mut Shared) {
     if let Some(lessons) = state.resume.lessons.take() {
         learn::learn(state, shared, lessons);
     } else if let Some(command) = state.resume.command.take() {
+        // What stands in the box, as it was kept or as a person has typed it meanwhile, stays there.
+        let input = state.command.input.clone();
         ask::ask_for(state, shared, command);
-        if let Some(input) = state.resume.input.take() {
-            state.command.input = input;
-        }
+        state.command.input = input;
     }
 }
 

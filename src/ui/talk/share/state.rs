@@ -29,8 +29,6 @@ pub struct Resume {
     pub command: Option<String>,
     /// The reading to choose then.
     pub form: Option<String>,
-    /// What stands in the box after that.
-    pub input: Option<String>,
     /// Whether what comes of it is shown as it ended, since it was seen before.
     pub is_quiet: bool,
 }
