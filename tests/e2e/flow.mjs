@@ -8,6 +8,9 @@ import { promisify } from 'node:util';
 import { matchGolden } from './golden.mjs';
 import { axeFile, root } from './packages.mjs';
 
+/** Seconds that whatever a flow waits for may take, on a machine that is busy with other things. */
+export const PATIENCE = 60;
+
 /** The flows declared so far. */
 export const flows = [];
 
@@ -124,7 +127,7 @@ export class Flow {
   }
 
   /** Looks until what is found `fits`, or the time is up; a plain value cannot change. */
-  async waited(look, fits, seconds = 10) {
+  async waited(look, fits, seconds = PATIENCE) {
     const end = Date.now() + seconds * 1000;
     for (;;) {
       const found = typeof look === 'function' ? await look() : look;
@@ -134,7 +137,7 @@ export class Flow {
   }
 
   /** Waits until `probe` returns something true and returns that; fails after `seconds`. */
-  async until(what, probe, seconds = 20) {
+  async until(what, probe, seconds = PATIENCE) {
     const end = Date.now() + seconds * 1000;
     for (;;) {
       const found = await probe();

@@ -4,6 +4,7 @@
 import { spawn } from 'node:child_process';
 import path from 'node:path';
 import { createInterface } from 'node:readline';
+import { PATIENCE } from './flow.mjs';
 import { Opened } from './opened.mjs';
 import { root } from './packages.mjs';
 
@@ -56,7 +57,7 @@ export async function openRobot(t, { german = false } = {}) {
 /** The open page. */
 export class Robot extends Opened {
   /** Waits until the driver is at this stage. */
-  at(stage, seconds = 20) {
+  at(stage, seconds = PATIENCE) {
     return this.t.until(`it is ${stage}`, async () => (await this.stage()) === stage, seconds);
   }
 
@@ -70,7 +71,7 @@ export class Robot extends Opened {
   }
 
   /** Waits until a thing was found so. */
-  finds(check, what, seconds = 20) {
+  finds(check, what, seconds = PATIENCE) {
     return this.t.until(`${check} is ${what}`, async () => (await this.found(check)) === what, seconds);
   }
 
@@ -105,7 +106,7 @@ export class Robot extends Opened {
   /** Asks for something; returns when there is a plan. */
   async ask(command) {
     await this.by('command').fill(command);
-    await this.t.until('it can be asked', () => this.by('ask').isEnabled(), 60);
+    await this.t.until('it can be asked', () => this.by('ask').isEnabled());
     await this.press('ask');
     await this.by('plan').waitFor();
   }

@@ -7,12 +7,12 @@
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { Flow, flows } from './flow.mjs';
+import { Flow, PATIENCE, flows } from './flow.mjs';
 import { chromium, root } from './packages.mjs';
 import { serve } from './server.mjs';
 
 /** Longest time for one flow, unless it says otherwise. */
-const SECONDS = 120;
+const SECONDS = 600;
 
 const words = process.argv.slice(2);
 const at = words.indexOf('--folder');
@@ -38,7 +38,7 @@ async function run({ title, settings, body }) {
   const usual = { viewport: { width: 1024, height: 720 }, serviceWorkers: 'block', reducedMotion: 'reduce' };
   const { gpu = true, seconds = SECONDS, ...own } = settings;
   const context = await browser.newContext({ ...usual, ...own });
-  context.setDefaultTimeout(20_000);
+  context.setDefaultTimeout(PATIENCE * 1000);
   const flow = new Flow(context, site.address);
   if (gpu) await flow.pretendGpu();
   let timer;

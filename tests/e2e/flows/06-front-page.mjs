@@ -153,7 +153,7 @@ for (const [width, height] of [[390, 844], [720, 450], [1440, 900], [320, 640]])
     await demo.by('command').press('Enter');
     await demo.by('plan').waitFor();
     await t.until('room, player and answer are in sight', async () =>
-      (await inSight(demo, ['stage', 'plan', 'understood', 'command'])).length === 0, 5);
+      (await inSight(demo, ['stage', 'plan', 'understood', 'command'])).length === 0);
     await t.fits('a plan');
     await demo.ask(`go to the ${'a'.repeat(40)} room`);
     await t.fits('a word of forty letters');
@@ -207,7 +207,7 @@ flow('without a GPU what moves is drawn plainly, which costs little in all proce
   const begun = Date.now();
   await demo.press('plan-play');
   const at = (name) => demo.by('plan').getAttribute(name);
-  await t.until('it is played', async () => (await at('data-at')) === (await at('data-steps')), 60);
+  await t.until('it is played', async () => (await at('data-at')) === (await at('data-steps')));
   const [spent, took] = [(await cpu()) - before, Date.now() - begun];
   // What the page costs while nothing moves (a caret that blinks is a frame, too).
   before = await cpu();

@@ -99,7 +99,7 @@ flow('what an experiment found is kept behind a reload, saved, and deleted', asy
   await demo.by('folds').fill('2');
   await demo.by('folds').blur();
   await demo.press('run');
-  await demo.by('runs').waitFor({ timeout: 60_000 });
+  await demo.by('runs').waitFor();
   await demo.says(/“2 folds by command, 1” is kept/);
   await t.check(async () => /seed 0, 2 passes/.test(await demo.by('result-settings').textContent()), 'its settings and seed');
   const found = await demo.saved('save-csv');

@@ -28,7 +28,7 @@ flow('twenty thousand rows are looked through, and few are in the page', async (
   const demo = await openTrain(t);
   const head = said('walk over to the red room please', 'rare', 'w2');
   await demo.dropAll([['many.jsonl', head, said('go to the red room', 'usual', 'w1'), 20_000]]);
-  await t.until('the file is open', async () => (await demo.by('corpus-name').textContent()) === 'many.jsonl', 60);
+  await t.until('the file is open', async () => (await demo.by('corpus-name').textContent()) === 'many.jsonl');
   await t.check(async () => /20001 rows/.test(await demo.by('rows-seen').textContent()), 'all rows are seen');
   await t.check(async () => (await demo.by('row').count()) < 80, 'few rows are in the page');
   const grid = demo.by('rows');

@@ -49,7 +49,7 @@ async function reached(demo) {
   return Number(pass) * 1e6 + Number(command);
 }
 
-flow('a run goes on after a reload and after a closed tab, to the same bytes', { seconds: 400 }, async (t) => {
+flow('a run goes on after a reload and after a closed tab, to the same bytes', async (t) => {
   t.expect(/ERR_ABORTED/);
   const corpus = many(200);
   const demo = await openTrain(t);
@@ -81,7 +81,7 @@ flow('a run goes on after a reload and after a closed tab, to the same bytes', {
   }
 });
 
-flow('a store that fills up while it learns is told, and the run goes on', { seconds: 240 }, async (t) => {
+flow('a store that fills up while it learns is told, and the run goes on', async (t) => {
   // The browser's own answer where there is no room; to have it really run out of room would take the machine's.
   await t.context.addInitScript(() => {
     const own = IDBTransaction.prototype.commit;
@@ -105,7 +105,7 @@ flow('a store that fills up while it learns is told, and the run goes on', { sec
   await t.equal(() => demo.by('shelf-item').count(), 2, 'what was kept is there');
   await demo.page.evaluate(() => { globalThis.isFull = false; });
   await demo.part('run');
-  await t.until('it is kept again', async () => (await demo.by('run-not-kept').count()) === 0, 40);
+  await t.until('it is kept again', async () => (await demo.by('run-not-kept').count()) === 0);
   await demo.press('stop');
 });
 

@@ -27,7 +27,7 @@ async function isAlive(demo) {
   await demo.by('search').fill('');
 }
 
-flow('a hundred thousand rows are opened, looked through and searched', { seconds: 240 }, async (t) => {
+flow('a hundred thousand rows are opened, looked through and searched', async (t) => {
   const demo = await openTrain(t);
   const carried = await demo.carried([['large.jsonl', SHORT, SHORT, 99_999]]);
   const start = Date.now();
@@ -51,7 +51,7 @@ flow('a hundred thousand rows are opened, looked through and searched', { second
   await isAlive(demo);
 });
 
-flow('every kind of damage is told within seconds', { seconds: 240 }, async (t) => {
+flow('every kind of damage is told within seconds', async (t) => {
   const demo = await openTrain(t);
   const good = csv(...rows.slice(1, 4));
   const long = 50_000_000;

@@ -10,7 +10,7 @@ const LOOKS = [
 ];
 
 for (const [name, viewport, colorScheme] of LOOKS) {
-  flow(`every part of the workbench as it looks, ${name} and ${colorScheme}`, { viewport, colorScheme, seconds: 240 }, async (t) => {
+  flow(`every part of the workbench as it looks, ${name} and ${colorScheme}`, { viewport, colorScheme }, async (t) => {
     const demo = await openTrain(t);
     const look = async (part) => {
       await demo.part(part);
@@ -57,7 +57,7 @@ flow('all of the workbench is reached by keyboard', async (t) => {
   await demo.reach('train');
   await demo.page.keyboard.press('Enter');
   await t.until('it has trained', async () =>
-    (await demo.by('trained').count()) > 0 && /trained here/.test(await demo.by('trained').textContent()), 60);
+    (await demo.by('trained').count()) > 0 && /trained here/.test(await demo.by('trained').textContent()));
   await demo.reach('save-model');
   await demo.by('tab-run').focus();
   await demo.page.keyboard.press('ArrowRight');
@@ -65,7 +65,7 @@ flow('all of the workbench is reached by keyboard', async (t) => {
   await demo.redrawn();
   await demo.reach('six-sentences');
   await demo.page.keyboard.press('Enter');
-  await demo.by('six-found').waitFor({ timeout: 60_000 });
+  await demo.by('six-found').waitFor();
   await demo.by('tab-experiments').focus();
   for (const part of ['lexicon', 'study', 'kept']) {
     await demo.page.keyboard.press('ArrowRight');

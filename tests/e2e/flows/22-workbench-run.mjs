@@ -63,7 +63,7 @@ flow('an engine that is killed while it learns goes on where it was', async (t) 
   await demo.passes(1000);
   await demo.press('train');
   await demo.by('progress').waitFor();
-  await t.until('some seconds of work', async () => /[5-9] s so far|\d\d s so far/.test(await demo.by('progress').textContent()), 60);
+  await t.until('some seconds of work', async () => /[5-9] s so far|\d\d s so far/.test(await demo.by('progress').textContent()));
   await demo.page.evaluate(() => {
     const learner = globalThis.flowWorkers.at(-1);
     learner.terminate();
@@ -73,7 +73,7 @@ flow('an engine that is killed while it learns goes on where it was', async (t) 
   const before = await workers();
   await t.check(async () => (await demo.by('engine-stopped').count()) === 0, 'nobody is asked to start it again');
   const at = await demo.by('progress').textContent();
-  await t.until('it goes on', async () => (await demo.by('progress').textContent()) !== at, 60);
+  await t.until('it goes on', async () => (await demo.by('progress').textContent()) !== at);
   await t.check(before >= 3, 'in a new engine');
   await demo.press('stop');
 });
@@ -108,7 +108,7 @@ flow('the workbench on a phone, in the dark and in German', { viewport: { width:
   await demo.part('run');
   await demo.press('train');
   await demo.by('curves').waitFor();
-  await t.until('it has trained', async () => /hier auf six\.csv/.test(await demo.by('trained').textContent()), 60);
+  await t.until('it has trained', async () => /hier auf six\.csv/.test(await demo.by('trained').textContent()));
   await t.fits('training on a phone');
   await t.accessible('training on a phone');
   await t.shot('bench-phone-run');

@@ -13,7 +13,7 @@ flow('a cross-validation is run, saved, and repeated from its file to the same f
   await demo.by('folds').blur();
   await t.accessible('experiments');
   await demo.press('run');
-  await demo.by('runs').waitFor({ timeout: 60_000 });
+  await demo.by('runs').waitFor();
   await t.equal(() => demo.by('runs').locator('tbody tr').count(), 4, 'three runs, and all together');
   await t.accessible('results');
   await t.fits('results');
@@ -23,7 +23,7 @@ flow('a cross-validation is run, saved, and repeated from its file to the same f
   await t.check(/"groundling runs"/.test(plan), 'the file says what it is');
   await demo.press('forget-result');
   await demo.by('runs-file').setInputFiles({ name: 'runs.json', mimeType: 'application/json', buffer: Buffer.from(plan) });
-  await demo.by('runs').waitFor({ timeout: 60_000 });
+  await demo.by('runs').waitFor();
   await t.equal(() => demo.saved('save-csv'), first, 'the figures of the same runs');
   await demo.by('runs-file').setInputFiles({ name: 'none.json', mimeType: 'application/json', buffer: Buffer.from('{}') });
   await demo.by('experiment-notice').waitFor();
@@ -45,7 +45,7 @@ flow('four engines find what one finds', async (t) => {
     await demo.part('experiments');
     await demo.press('run');
     if (cores > 1) await t.check(async () => /by 4 engines/.test(await demo.by('pool').textContent()), 'four engines');
-    await demo.by('runs').waitFor({ timeout: 60_000 });
+    await demo.by('runs').waitFor();
     return await demo.saved('save-csv');
   });
   const [several, one] = [await found(8), await found(1)];
@@ -56,7 +56,7 @@ flow('the paper’s experiments are one press each', async (t) => {
   const demo = await openTrain(t);
   await demo.part('experiments');
   await demo.press('six-sentences');
-  await demo.by('six-found').waitFor({ timeout: 60_000 });
+  await demo.by('six-found').waitFor();
   await t.check(async () => /Learned from 6 sentences; 6 of them/.test(await demo.by('six-found').textContent()), 'what was learned');
   await t.check(async () => /blue\(x\)[^]*carried out in \d+ steps/.test(await demo.by('six-found').textContent()), 'what was done');
   await demo.part('run');
@@ -64,7 +64,7 @@ flow('the paper’s experiments are one press each', async (t) => {
   await demo.part('experiments');
   await demo.by('paper-share').waitFor();
   await demo.press('table-2');
-  await demo.by('runs').waitFor({ timeout: 60_000 });
+  await demo.by('runs').waitFor();
   await t.equal(() => demo.by('runs').locator('tbody th').allTextContents(), ['pruned, 3', 'pruned, 2', 'pruned, 1'], 'the rows');
   await t.check(async () => /0\.820/.test(await demo.by('runs').textContent()), 'the paper’s figure');
   await t.check(async () => /<svg[^]*pruned, 3[^]*<\/svg>/.test(await demo.saved('save-svg')), 'as a picture');
@@ -72,7 +72,7 @@ flow('the paper’s experiments are one press each', async (t) => {
   await t.shot('bench-table-2');
 });
 
-flow('learning curves, ablations and seeds are run on what is held out', { seconds: 240 }, async (t) => {
+flow('learning curves, ablations and seeds are run on what is held out', async (t) => {
   const demo = await openTrain(t);
   await demo.holdOut(33);
   await demo.part('run');
@@ -82,7 +82,7 @@ flow('learning curves, ablations and seeds are run on what is held out', { secon
     const before = await demo.by('runs').count();
     await demo.by('experiment').selectOption({ label: experiment });
     await demo.press('run');
-    await t.until(`${experiment} is done`, async () => (await demo.by('runs').count()) > before, 60);
+    await t.until(`${experiment} is done`, async () => (await demo.by('runs').count()) > before);
     return demo.by('runs').first().locator('tbody th').allTextContents();
   };
   const shares = await names('Learning curve');
@@ -100,7 +100,7 @@ flow('learning curves, ablations and seeds are run on what is held out', { secon
   await t.fits('several results');
 });
 
-flow('several engines are asked about every row, to the same end', { seconds: 240 }, async (t) => {
+flow('several engines are asked about every row, to the same end', async (t) => {
   const many = csv(...Array.from({ length: 40 }, (_, time) => rows.slice(1).map(
     (row) => row.replace(/"([^"]*)"(?=,[^,]*,[^,]*$)/, `"$1 time${time}"`),
   )).flat());

@@ -64,7 +64,7 @@ flow('a run takes a pair’s place, and is played to its end', async (t) => {
   await t.check(Number(steps) >= 2, `${steps} steps`);
   await person.press('play-1');
   await t.equal(() => person.by('play-1').textContent(), 'Pause', 'it plays');
-  await t.until('it is at its end', async () => (await shown(0)) === `Step ${steps} of ${steps}`, 60);
+  await t.until('it is at its end', async () => (await shown(0)) === `Step ${steps} of ${steps}`);
   await t.equal(() => person.by('play-1').textContent(), 'Play', 'and rests');
   await t.check(() => person.by('step-1').isDisabled(), 'there is no more of it');
   // The other one a step at a time, by keyboard.

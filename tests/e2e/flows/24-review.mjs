@@ -13,7 +13,7 @@ const study = 'task to-bag\nsays Go to the bag.\ngoal (near:<e,<e,t>> (the:<<e,t
 
 /** What a study's notice says, once it says something like this. */
 const told = (t, demo, pattern) => t.until(`${pattern} is said`, async () =>
-  (await demo.by('study-notice').count()) > 0 && pattern.test(await demo.by('study-notice').textContent()), 60);
+  (await demo.by('study-notice').count()) > 0 && pattern.test(await demo.by('study-notice').textContent()));
 
 flow('a study is drawn in the page, saved, and opened by who takes part', async (t) => {
   const demo = await openTrain(t);
@@ -49,7 +49,7 @@ flow('a study is drawn in the page, saved, and opened by who takes part', async 
   await t.equal(() => person.by('showing').count(), 3, 'three of four pairs');
   await demo.by('study-ways').check();
   await demo.press('study-make');
-  await t.until('it is drawn anew', async () => JSON.parse(await demo.saved('study-save')).items[0].shows.every((shown) => shown.actions), 60);
+  await t.until('it is drawn anew', async () => JSON.parse(await demo.saved('study-save')).items[0].shows.every((shown) => shown.actions));
 });
 
 for (const width of [320, 390, 1440, 1920]) {
@@ -113,7 +113,7 @@ flow(`${PEOPLE} simulated participants, and what a reviewer makes of them`, asyn
     await t.equal(lines.filter(({ Reject }) => Reject === '=not what was asked').length, 1, 'the reason');
     await demo.press('train-on-answers');
     await t.check(async () => (await demo.by('tab-data').getAttribute('aria-selected')) === 'true', 'into training');
-    await t.until('the answers are the corpus', async () => /study-answers/.test(await demo.page.locator('main').textContent()), 30);
+    await t.until('the answers are the corpus', async () => /study-answers/.test(await demo.page.locator('main').textContent()));
     await demo.train();
     t.note(`${PEOPLE} participants, ${answers.length} answers, ${careless} of them careless`);
   } finally {

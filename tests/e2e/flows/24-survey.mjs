@@ -70,7 +70,7 @@ flow('what jsPsych collects is mapped, and learned from', async (t) => {
     await demo.press('convert');
     await t.check(async () => /^2 answers: 2 open/.test(await demo.by('answer-counts').textContent()), 'two answers');
     await demo.press('train-on-answers');
-    await t.until('they are the corpus', async () => /study-answers/.test(await demo.page.locator('main').textContent()), 30);
+    await t.until('they are the corpus', async () => /study-answers/.test(await demo.page.locator('main').textContent()));
   } finally {
     await there.close();
   }

@@ -42,7 +42,7 @@ flow('the engine is killed while it plans, and started again', async (t) => {
     button.click();
     globalThis.flowWorkers.forEach((worker) => worker.terminate());
   });
-  await demo.by('engine-stopped').waitFor({ timeout: 30_000 });
+  await demo.by('engine-stopped').waitFor();
   await t.accessible('an engine that has stopped');
   await t.shot('engine-stopped');
   await t.equal(() => demo.world(), world, 'the room');

@@ -94,7 +94,7 @@ flow('the page that drives a robot alone may open sockets, and opens none but to
     const page = await t.open(`${t.address}robot.html`);
     await page.getByTestId('link').click();
     await page.getByTestId('command').fill('go to the blue room');
-    await t.until('the engine has come', () => page.getByTestId('ask').isEnabled(), 60);
+    await t.until('the engine has come', () => page.getByTestId('ask').isEnabled());
     await t.equal(other.seen.visits, 0, 'visits of another origin');
     const comes = () => page.evaluate(attempts, [other.address, new URL('words.txt', t.address).href]);
     // What answers is no socket, but is asked.

@@ -40,7 +40,7 @@ async function files(t) {
   return { paths, bytes };
 }
 
-flow(`${PEOPLE} × ${ITEMS} answers are merged, and the page stays at hand`, { seconds: 600 }, async (t) => {
+flow(`${PEOPLE} × ${ITEMS} answers are merged, and the page stays at hand`, async (t) => {
   const { paths, bytes } = await files(t);
   const demo = await openTrain(t);
   t.page = demo.page;
