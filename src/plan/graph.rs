@@ -1,17 +1,13 @@
 //! The states of a problem that a solver has met, numbered in the order met, and the leaps from those that it has
-//! expanded: flat arrays, outcomes in compressed rows. Chances to stay where one is are solved for on the way in:
+//! expanded: flat arrays, a row of outcomes for each leap. Chances to stay where one is are solved for on the way in:
 //! V = R + γ p V + γ Σ p' V' is V = (R + γ Σ p' V') / (1 − γ p), so slips cost no iterations. States on the way of a leap
 //! have no number; what is best there is seen by looking one leap ahead.
 //! Invariant: what a state and its rows are depends on the problem and on the order of calls only.
 
+use super::index::{Id, Index, Probe};
+use super::weights::{Edge, Weights};
 use crate::mdp::{Leaps, Mdp};
-use hashbrown::HashTable;
-use rustc_hash::FxBuildHasher;
-use std::hash::BuildHasher;
 use std::ops::Range;
-
-/// The number of a state.
-pub(super) type Id = u32;
 
 /// The bound of a state from which nothing terminal can be reached.
 pub(super) const DEAD: u32 = u32::MAX;
@@ -21,26 +17,24 @@ const OUTCOMES: usize = 4;
 /// Most states that have numbers, whatever a budget says.
 const MOST_STATES: usize = 1 << 30;
 
-/// See the head of this file.
+/// See the head of this file. A row is known by the number of its first outcome.
 #[derive(Clone)]
 pub(super) struct Graph<P: Mdp> {
     problem: P,
     discount: f64,
     states: Vec<P::State>,
-    index: HashTable<Id>,
+    index: Index,
     /// Lower bounds on the actions to a terminal state: 0 for these alone, [`DEAD`] for never.
     bounds: Vec<u32>,
-    /// The rows of each state; none before it is expanded.
+    /// The outcomes of each state, row by row; none before it is expanded.
     rows: Vec<Range<u32>>,
-    /// What the problem knows the leap of each row by, and how many actions it takes when all goes well.
+    edges: Vec<Edge>,
+    /// By outcome, what the problem knows its leap by.
     numbers: Vec<u16>,
-    costs: Vec<u16>,
-    /// Where the outcomes of each row begin; one more than there are rows.
-    starts: Vec<u32>,
-    targets: Vec<Id>,
-    /// The probability of each outcome, less what the way there costs, over what staying takes.
-    weights: Vec<f64>,
+    weights: Weights,
+    /// Room for what is looked up.
     leaps: Leaps<P::State>,
+    probes: Vec<Probe>,
 }
 
 impl<P: Mdp> Graph<P> {
@@ -50,18 +44,17 @@ impl<P: Mdp> Graph<P> {
             problem,
             discount,
             states: Vec::new(),
-            index: HashTable::new(),
+            index: Index::new(),
             bounds: Vec::new(),
             rows: Vec::new(),
+            edges: Vec::new(),
             numbers: Vec::new(),
-            costs: Vec::new(),
-            starts: vec![0],
-            targets: Vec::new(),
-            weights: Vec::new(),
+            weights: Weights::new(discount),
             leaps: Leaps::default(),
+            probes: Vec::new(),
         };
         let initial = graph.problem.initial();
-        graph.intern(initial);
+        graph.intern(initial, graph.index.probe(initial));
         graph
     }
 
@@ -76,7 +69,7 @@ impl<P: Mdp> Graph<P> {
 
     /// Whether no more states fit a budget.
     pub(super) fn is_full(&self, most: usize) -> bool {
-        self.len() + self.targets.len() / OUTCOMES >= most.min(MOST_STATES)
+        self.len() + self.edges.len() / OUTCOMES >= most.min(MOST_STATES)
     }
 
     pub(super) fn state(&self, id: Id) -> P::State {
@@ -108,14 +101,25 @@ impl<P: Mdp> Graph<P> {
 
     /// The number of a state that was met.
     pub(super) fn find(&self, state: P::State) -> Option<Id> {
-        let key = FxBuildHasher.hash_one(state);
-        self.index.find(key, |&id| self.states[id as usize] == state).copied()
+        self.index.find(state, self.index.probe(state), &self.states)
     }
 
     /// The rows of a state; none unless it was expanded, and none that leaves it where it is or leads to death alone.
-    pub(super) fn rows(&self, id: Id) -> Range<usize> {
+    pub(super) fn rows(&self, id: Id) -> impl Iterator<Item = usize> {
+        let all = self.row_range(id);
+        let first = all.start;
+        all.filter(move |&edge| edge == first || self.edges[edge - 1].is_last())
+    }
+
+    /// The outcomes of all rows of a state.
+    fn row_range(&self, id: Id) -> Range<usize> {
         let Range { start, end } = self.rows[id as usize];
         start as usize..end as usize
+    }
+
+    /// Whether a state has rows.
+    pub(super) fn has_rows(&self, id: Id) -> bool {
+        !self.rows[id as usize].is_empty()
     }
 
     /// The first action of a row of a state.
@@ -130,65 +134,60 @@ impl<P: Mdp> Graph<P> {
         way.first().copied()
     }
 
-    /// How many actions a row takes when all goes well.
-    pub(super) fn cost(&self, row: usize) -> u32 {
-        u32::from(self.costs[row])
+    /// Where the outcomes of a state lead, each with how many actions it takes when all goes well.
+    pub(super) fn ways(&self, id: Id) -> impl Iterator<Item = (Id, u32)> {
+        let edges = &self.edges[self.row_range(id)];
+        edges.iter().map(|&edge| (edge.target, self.weights.cost(edge)))
     }
 
-    /// The outcomes of a row, as numbers of edges.
+    /// The outcomes of a row, by their numbers.
     pub(super) fn edges(&self, row: usize) -> Range<usize> {
-        self.starts[row] as usize..self.starts[row + 1] as usize
+        let rest = self.edges[row..].iter().position(|edge| edge.is_last());
+        row..row + rest.map_or(0, |last| last + 1)
     }
 
-    /// Where an edge leads.
+    /// Where an outcome leads.
     pub(super) fn target(&self, edge: usize) -> Id {
-        self.targets[edge]
+        self.edges[edge].target
     }
 
-    /// The weight of an edge: a probability, less what the way there costs, over what staying takes.
+    /// The weight of an outcome: a probability, less what the way there costs, over what staying takes.
     pub(super) fn weight(&self, edge: usize) -> f64 {
-        self.weights[edge]
+        self.weights.get(self.edges[edge])
     }
 
     /// The outcomes of a row, each with its weight.
     #[inline]
     pub(super) fn outcomes(&self, row: usize) -> impl Iterator<Item = (Id, f64)> {
-        let edges = self.edges(row);
-        self.targets[edges.clone()].iter().copied().zip(self.weights[edges].iter().copied())
+        let edges = &self.edges[self.edges(row)];
+        edges.iter().map(|&edge| (edge.target, self.weights.get(edge)))
     }
 
     /// The sum of the weights of a row: 1, but for what the way costs and what staying takes.
     pub(super) fn row_weight(&self, row: usize) -> f64 {
-        self.weights[self.edges(row)].iter().sum()
+        self.outcomes(row).map(|(_, weight)| weight).sum()
     }
 
-    /// How many rows there are.
-    pub(super) const fn n_rows(&self) -> usize {
-        self.numbers.len()
+    /// How many outcomes there are.
+    pub(super) const fn n_edges(&self) -> usize {
+        self.edges.len()
     }
 
-    /// What a row is worth when it is worth `worth` to arrive at a state.
-    #[inline]
-    pub(super) fn row_worth(&self, row: usize, worth: impl Fn(Id) -> f64) -> f64 {
-        let (start, end) = (self.starts[row] as usize, self.starts[row + 1] as usize);
-        let targets = &self.targets[start..end];
-        let weights = &self.weights[start..end];
-        let mut sum = 0.0;
-        for (&target, &weight) in targets.iter().zip(weights) {
-            sum += weight * worth(target);
-        }
-        sum
-    }
-
-    /// The best row of a state and its worth; the first of equals; `None` when no row is worth anything.
+    /// The best row of a state and its worth, by what it is worth to arrive at a state; the first of equals; `None` when no
+    /// row is worth anything.
     pub(super) fn best(&self, id: Id, worth: impl Fn(Id) -> f64) -> Option<(usize, f64)> {
         let mut best = None;
         let mut most = 0.0;
-        for row in self.rows(id) {
-            let value = self.row_worth(row, &worth);
-            if value > most {
-                most = value;
-                best = Some((row, value));
+        let all = self.row_range(id);
+        let (mut row, mut sum) = (all.start, 0.0);
+        for (next, &edge) in (all.start + 1..).zip(&self.edges[all]) {
+            sum += self.weights.get(edge) * worth(edge.target);
+            if edge.is_last() {
+                if sum > most {
+                    most = sum;
+                    best = Some((row, sum));
+                }
+                (row, sum) = (next, 0.0);
             }
         }
         best
@@ -224,38 +223,38 @@ impl<P: Mdp> Graph<P> {
     /// Works out the leaps from a state. Their outcomes are numbered on the way.
     pub(super) fn expand(&mut self, id: Id) {
         let state = self.state(id);
-        let first = self.numbers.len();
+        let first = self.edges.len();
         let mut leaps = std::mem::take(&mut self.leaps);
+        let mut probes = std::mem::take(&mut self.probes);
         leaps.clear();
         self.problem.leaps(state, &mut leaps);
+        self.index.reserve(leaps.ends.len(), &self.states);
+        probes.clear();
+        probes.extend(leaps.ends.iter().map(|&(end, _)| self.index.probe(end)));
         for (leap, ends) in leaps.iter() {
-            let begin = self.targets.len();
-            let scale = leap.scale(self.discount);
+            let begin = self.edges.len();
             let mut is_useful = false;
-            for &(next, probability) in ends {
-                let target = self.intern(next);
+            for (&(next, probability), &probe) in ends.iter().zip(&probes[leap.ends.clone()]) {
+                let target = self.intern(next, probe);
                 is_useful |= !self.is_dead(target);
-                self.targets.push(target);
-                self.weights.push(scale * probability);
+                let weight = self.weights.of(leap, probability);
+                self.edges.push(Edge::new(target, weight));
+                self.numbers.push(leap.number);
             }
             if !is_useful {
-                self.targets.truncate(begin);
-                self.weights.truncate(begin);
-                continue;
+                self.edges.truncate(begin);
+                self.numbers.truncate(begin);
+            } else if let Some(last) = self.edges.last_mut() {
+                last.end_row();
             }
-            self.numbers.push(leap.number);
-            self.costs.push(u16::try_from(leap.cost).unwrap_or(u16::MAX));
-            self.starts.push(self.targets.len() as u32);
         }
-        self.leaps = leaps;
-        self.rows[id as usize] = first as u32..self.numbers.len() as u32;
+        (self.leaps, self.probes) = (leaps, probes);
+        self.rows[id as usize] = first as u32..self.edges.len() as u32;
     }
 
-    /// The number of a state, which it is given if it has none.
-    fn intern(&mut self, state: P::State) -> Id {
-        let hash = |s: &P::State| FxBuildHasher.hash_one(s);
-        let (key, states) = (hash(&state), &self.states);
-        if let Some(&id) = self.index.find(key, |&id| states[id as usize] == state) {
+    /// The number of a state, which it is given if it has none; there must be room for it in the index.
+    fn intern(&mut self, state: P::State, probe: Probe) -> Id {
+        if let Some(id) = self.index.find(state, probe, &self.states) {
             return id;
         }
         let bound = if self.problem.is_terminal(state) {
@@ -265,8 +264,7 @@ impl<P: Mdp> Graph<P> {
         };
         let id = self.states.len() as Id;
         self.states.push(state);
-        let states = &self.states;
-        self.index.insert_unique(key, id, |&id| hash(&states[id as usize]));
+        self.index.add(probe, &self.states);
         self.bounds.push(bound);
         self.rows.push(0..0);
         id

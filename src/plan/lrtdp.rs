@@ -9,7 +9,8 @@
 //! Nothing is drawn at random. A step backs up one state.
 
 use super::astar::AStar;
-use super::graph::{Graph, Id};
+use super::graph::Graph;
+use super::index::Id;
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
 
 /// A state is solved when its gap is at most this share of ε, so that rounding cannot keep ε itself out of reach.
@@ -274,10 +275,10 @@ impl<P: Mdp + Clone> Lrtdp<P> {
     fn back_up(&mut self, id: Id) -> Option<usize> {
         let discount = self.settings.discount;
         self.steps += 1;
-        self.backups += self.graph.rows(id).len() as u64;
         let mut best = None;
         let mut most = Worth { upper: 0.0, lower: 0.0 };
         for row in self.graph.rows(id) {
+            self.backups += 1;
             let mut sum = Worth { upper: 0.0, lower: 0.0 };
             for (target, weight) in self.graph.outcomes(row) {
                 let Worth { upper, lower } = self.worth[target as usize];

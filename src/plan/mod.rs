@@ -1,6 +1,9 @@
 //! Planners. They know a problem only as an [`crate::mdp::Mdp`].
 
+mod index;
+mod weights;
 mod graph;
+mod order;
 pub mod astar;
 mod parts;
 pub mod anytime;

@@ -5,7 +5,8 @@
 //! averages, not bounds. A step begins a trial or tries an action.
 //! Invariant: the same problem and seed give the same tree on every machine.
 
-use super::graph::{Graph, Id};
+use super::graph::Graph;
+use super::index::Id;
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver, StepByStep, sample};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -122,8 +123,8 @@ impl<P: Mdp> Uct<P> {
         self.graph.expand(id);
         self.visits.resize(self.graph.len(), 0);
         self.visits[id as usize] = 1;
-        self.row_visits.resize(self.graph.n_rows(), 0);
-        self.row_sums.resize(self.graph.n_rows(), 0.0);
+        self.row_visits.resize(self.graph.n_edges(), 0);
+        self.row_sums.resize(self.graph.n_edges(), 0.0);
     }
 
     /// The row to follow: one that was never tried, the nearest to the goal first; else by UCB1.

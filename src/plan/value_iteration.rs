@@ -3,11 +3,10 @@
 //! It ends when γ / (1 − γ) times the largest change of a sweep is at most ε. Sure worlds are solved by one sweep.
 //! Values are discounted rewards in [0, 1]. A step expands, orders or backs up one state.
 
-use super::graph::{Graph, Id};
+use super::graph::Graph;
+use super::index::Id;
+use super::order::Order;
 use crate::mdp::{Mdp, Outcome, Policy, Progress, Settings, Solver};
-
-/// No edge, and no distance.
-const NONE: u32 = u32::MAX;
 
 /// A solver at work.
 #[derive(Clone)]
@@ -21,7 +20,8 @@ pub struct ValueIteration<P: Mdp> {
     is_partial: bool,
     /// Whether that is the end.
     wants_all: bool,
-    into: Into,
+    /// Kept until states are ordered.
+    ordering: Order,
     /// States that can reach a terminal one, nearest first, terminal ones left out.
     order: Vec<Id>,
     /// What it is worth to arrive: 1 at a terminal state, else γ V.
@@ -44,35 +44,6 @@ enum Stage {
     Sweep,
 }
 
-/// The edges into each state, as chains, and distances to the goal; kept until states are ordered.
-#[derive(Clone, Debug, Default)]
-struct Into {
-    /// By state, its first edge in.
-    first: Vec<u32>,
-    /// By edge, the next one into the same state, and its row.
-    next: Vec<(u32, u32)>,
-    /// By row, the state that it leaves.
-    from: Vec<Id>,
-    /// By state, the actions to a terminal one when all goes well, as far as is known.
-    distance: Vec<u32>,
-    /// Once at least, the states at each distance (Dial 1969).
-    at: Vec<Vec<Id>>,
-}
-
-impl Into {
-    /// Notes a way from a state to the goal, unless a shorter one is known.
-    fn reach(&mut self, id: Id, distance: u32) {
-        if distance < self.distance[id as usize] {
-            self.distance[id as usize] = distance;
-            let i = distance as usize;
-            if self.at.len() <= i {
-                self.at.resize_with(i + 1, Vec::new);
-            }
-            self.at[i].push(id);
-        }
-    }
-}
-
 impl<P: Mdp> ValueIteration<P> {
     /// A solver that has done nothing yet.
     #[must_use]
@@ -86,7 +57,7 @@ impl<P: Mdp> ValueIteration<P> {
             cursor: 0,
             is_partial: false,
             wants_all: false,
-            into: Into::default(),
+            ordering: Order::default(),
             order: Vec::new(),
             worth: Vec::new(),
             change: 0.0,
@@ -139,7 +110,7 @@ impl<P: Mdp> ValueIteration<P> {
         }
     }
 
-    /// Expands the next state, and notes its edges at the states that they lead to.
+    /// Expands the next state.
     fn expand(&mut self) -> Option<Outcome> {
         let all = self.graph.len();
         if self.cursor == all || self.graph.is_full(self.settings.budget.states) {
@@ -147,14 +118,11 @@ impl<P: Mdp> ValueIteration<P> {
             if self.is_partial && self.wants_all {
                 return Some(Outcome::Budget);
             }
-            self.into.first.resize(all, NONE);
-            self.into.distance.resize(all, NONE);
             self.worth = vec![0.0; all];
             for id in (0..all as Id).filter(|&id| self.graph.is_terminal(id)) {
                 self.worth[id as usize] = 1.0;
-                self.into.reach(id, 0);
             }
-            (self.stage, self.cursor) = (Stage::Order, 0);
+            self.stage = Stage::Order;
             return None;
         }
         let id = self.cursor as Id;
@@ -164,49 +132,23 @@ impl<P: Mdp> ValueIteration<P> {
         }
         self.steps += 1;
         self.graph.expand(id);
-        self.into.first.resize(self.graph.len(), NONE);
-        for row in self.graph.rows(id) {
-            self.into.from.push(id);
-            for edge in self.graph.edges(row) {
-                let head = &mut self.into.first[self.graph.target(edge) as usize];
-                self.into.next.push((*head, row as u32));
-                *head = edge as u32;
-            }
-        }
+        self.ordering.count(&self.graph, id);
         None
     }
 
-    /// Adds the next state to the order, and sees how far those are that lead to it.
+    /// Puts the next state in order.
     fn order(&mut self) -> Option<Outcome> {
-        let Some(at) = self.into.at.get_mut(self.cursor) else {
-            self.into = Into::default();
-            (self.stage, self.cursor) = (Stage::Sweep, 0);
-            if self.order.contains(&0) {
-                return None;
-            }
-            if self.is_partial {
-                return Some(Outcome::Budget);
-            }
-            self.upper = 0.0;
-            return Some(Outcome::Unreachable);
-        };
-        let Some(id) = at.pop() else {
-            self.cursor += 1;
+        self.order = self.ordering.step(&self.graph)?;
+        self.ordering = Order::default();
+        (self.stage, self.cursor) = (Stage::Sweep, 0);
+        if self.order.contains(&0) {
             return None;
-        };
-        // Else it was found to be nearer.
-        if self.into.distance[id as usize] as usize == self.cursor {
-            if !self.graph.is_terminal(id) {
-                self.order.push(id);
-            }
-            let mut edge = self.into.first[id as usize];
-            while let Some(&(next, row)) = self.into.next.get(edge as usize) {
-                let from = self.into.from[row as usize];
-                self.into.reach(from, self.cursor as u32 + self.graph.cost(row as usize));
-                edge = next;
-            }
         }
-        None
+        if self.is_partial {
+            return Some(Outcome::Budget);
+        }
+        self.upper = 0.0;
+        Some(Outcome::Unreachable)
     }
 
     /// The number of a state that was expanded, or of which nothing more is to be known.
@@ -214,7 +156,7 @@ impl<P: Mdp> ValueIteration<P> {
         let is_end = |id| self.graph.is_terminal(id) || self.graph.is_dead(id);
         let is_whole = !self.is_partial && self.stage != Stage::Expand;
         let id = self.graph.find(state)?;
-        (is_whole || is_end(id) || !self.graph.rows(id).is_empty()).then_some(id)
+        (is_whole || is_end(id) || self.graph.has_rows(id)).then_some(id)
     }
 
     /// What is best in a state on the way of a leap, and its worth.
@@ -229,7 +171,7 @@ impl<P: Mdp> ValueIteration<P> {
         if let Some(&id) = self.order.get(self.cursor) {
             self.cursor += 1;
             self.steps += 1;
-            self.backups += self.graph.rows(id).len() as u64;
+            self.backups += self.graph.rows(id).count() as u64;
             let best =
                 self.graph.best(id, |id| self.worth[id as usize]).map_or(0.0, |(_, worth)| worth);
             let worth = &mut self.worth[id as usize];
