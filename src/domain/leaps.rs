@@ -255,6 +255,19 @@ impl Walks {
         Some(arrives.map_or(carry.stand.0, |(back, _)| back))
     }
 
+    /// Whether a carry goes to or through a door that nobody tried.
+    #[must_use]
+    pub fn tries(&self, dynamics: &Dynamics, state: Packed, carry: Carry) -> bool {
+        let layout = dynamics.layout();
+        let (place, side) = carry.stand;
+        let ahead = layout.neighbour(place, side);
+        let other = match carry.action {
+            Action::Pull => place,
+            _ => layout.neighbour(ahead, side),
+        };
+        [ahead, other].into_iter().any(|place| dynamics.untried(state, place).is_some())
+    }
+
     /// The state in which the last action of a carry is taken, as far as it matters to that.
     #[must_use]
     pub fn stand(&self, dynamics: &Dynamics, state: Packed, carry: Carry) -> Packed {

@@ -125,8 +125,13 @@ impl Task {
         carry: Carry,
         out: &mut Vec<(Packed, f64)>,
     ) -> Packed {
-        if self.is_sure {
-            out.push((carry.state, 1.0));
+        let chances = self.dynamics.rules().chances;
+        if self.is_sure || (chances.loss() == 0.0 && !walks.tries(&self.dynamics, state, carry)) {
+            // A slip changes nothing, wherever that is.
+            if chances.slip() > 0.0 {
+                out.push((state, chances.slip()));
+            }
+            out.push((carry.state, 1.0 - chances.slip()));
             return state;
         }
         let stand = walks.stand(&self.dynamics, state, carry);
