@@ -1,14 +1,12 @@
 //! Best-first search over leaps (A*: Hart, Nilsson and Raphael 1968; weighted: Pohl 1970), as a search that can be pumped.
 //! Successors are kept when their turn comes and not before (partial expansion: Yoshizumi, Miura and Ishida 2000): a
 //! state is looked at once more for each sum of cost and bound that its successors have. Flat arrays, found through one
-//! hash index of u32. Invariants: led by an admissible and consistent bound the plan is shortest, and what was looked
-//! at proves how long it is at least; ties fall to the state found last, so the same problem gives the same plan.
+//! index. Invariants: led by an admissible and consistent bound the plan is shortest, and what was looked at proves how
+//! long it is at least; ties fall to the state found last, so the same problem gives the same plan.
 
+use super::index::{Id, Index};
 use crate::mdp::{Leaps, Mdp, Outcome, Policy, Progress, Settings, Solver};
-use hashbrown::HashTable;
-use rustc_hash::FxBuildHasher;
 use std::collections::BTreeMap;
-use std::hash::BuildHasher;
 
 /// A plan: one state more than actions, from the initial to a terminal one.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +39,7 @@ pub struct AStar<P: Mdp> {
     /// The parts of the goal that hold at first.
     held: u64,
     nodes: Nodes<P::State>,
-    index: HashTable<u32>,
+    index: Index,
     open: Open,
     expanded: u64,
     /// The node with the least to go among those expanded.
@@ -133,7 +131,7 @@ impl<P: Mdp> AStar<P> {
             most_actions,
             held: 0,
             nodes: Nodes { state: Vec::new(), facts: Vec::new() },
-            index: HashTable::new(),
+            index: Index::new(),
             open: Open::default(),
             expanded: 0,
             nearest: 0,
@@ -300,21 +298,19 @@ impl<P: Mdp> AStar<P> {
 
     /// Notes that `state` can be reached so, and opens it if that is news.
     fn reach(&mut self, state: P::State, facts: Facts) {
-        let hash = |s: &P::State| FxBuildHasher.hash_one(s);
         let nodes = &mut self.nodes;
-        let key = hash(&state);
-        let known = self.index.find(key, |&n| nodes.state[n as usize] == state).copied();
-        let node = match known {
+        let probe = self.index.probe(state);
+        let node = match self.index.find(state, probe, &nodes.state) {
             Some(node) if facts.cost >= nodes.facts[node as usize].cost => return,
             Some(node) => {
                 nodes.facts[node as usize] = facts;
                 node
             }
             None => {
-                let Ok(node) = u32::try_from(nodes.state.len()) else { return };
+                let node = nodes.state.len() as Id;
                 nodes.state.push(state);
                 nodes.facts.push(facts);
-                self.index.insert_unique(key, node, |&n| hash(&nodes.state[n as usize]));
+                self.index.add(probe, &nodes.state);
                 node
             }
         };
@@ -323,8 +319,7 @@ impl<P: Mdp> AStar<P> {
 
     /// Whether a state was met.
     fn is_met(&self, state: P::State) -> bool {
-        let key = FxBuildHasher.hash_one(state);
-        self.index.find(key, |&n| self.nodes.state[n as usize] == state).is_some()
+        self.index.find(state, self.index.probe(state), &self.nodes.state).is_some()
     }
 
     /// Appends the actions of the shortest leap from one state to another.

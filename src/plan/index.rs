@@ -33,8 +33,8 @@ impl Index {
         Self { slots: vec![EMPTY; FIRST] }
     }
 
-    /// Begins to look for a state. Whoever begins with many before going on with [`Index::find`] waits for memory once; no
-    /// more may be added between than there was room for.
+    /// Begins to look for a state. Who begins with many before going on with [`Index::find`] waits for memory once; no more
+    /// may be added between than there is room for.
     #[inline]
     pub(super) fn probe<S: Hash>(&self, state: S) -> Probe {
         let hash = hash(state);
@@ -62,13 +62,18 @@ impl Index {
 
     /// Adds the last of these states, which has no number yet.
     pub(super) fn add<S: Copy + Hash>(&mut self, probe: Probe, states: &[S]) {
-        self.put(probe.hash, states.len() as Id - 1);
+        if 2 * states.len() > self.slots.len() {
+            self.reserve(1, states);
+        } else {
+            self.put(probe.hash, states.len() as Id - 1);
+        }
     }
 
-    /// Makes room for so many more states than these.
+    /// Makes room for so many states more than these.
     pub(super) fn reserve<S: Copy + Hash>(&mut self, more: usize, states: &[S]) {
         let wanted = 2 * (states.len() + more);
         if wanted > self.slots.len() {
+            // The old table goes first, for there may not be room for both.
             self.slots = Vec::new();
             self.slots.resize(wanted.next_power_of_two(), EMPTY);
             for (id, &state) in states.iter().enumerate() {

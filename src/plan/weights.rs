@@ -1,10 +1,7 @@
 //! What outcomes weigh, each weight that there is kept once: few differ, for walks are short and few things go wrong.
 
-use super::index::Id;
+use super::index::{Id, Index};
 use crate::mdp::Leap;
-use hashbrown::HashTable;
-use rustc_hash::FxBuildHasher;
-use std::hash::BuildHasher;
 
 /// An outcome: where it leads, and the number of its weight.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +31,7 @@ impl Edge {
 #[derive(Clone)]
 pub(super) struct Weights {
     discount: f64,
-    index: HashTable<u32>,
+    index: Index,
     /// What each is made of: slip, stay, probability and cost.
     parts: Vec<[u64; 4]>,
     weights: Vec<f64>,
@@ -42,8 +39,8 @@ pub(super) struct Weights {
 
 impl Weights {
     /// None yet.
-    pub(super) const fn new(discount: f64) -> Self {
-        Self { discount, index: HashTable::new(), parts: Vec::new(), weights: Vec::new() }
+    pub(super) fn new(discount: f64) -> Self {
+        Self { discount, index: Index::new(), parts: Vec::new(), weights: Vec::new() }
     }
 
     /// The number of the weight of an outcome of a leap: its probability, less what the way there costs, over what staying
@@ -51,17 +48,13 @@ impl Weights {
     pub(super) fn of(&mut self, leap: &Leap, probability: f64) -> u32 {
         let Leap { slip, stay, cost, .. } = leap;
         let parts = [slip.to_bits(), stay.to_bits(), probability.to_bits(), u64::from(*cost)];
-        let hash = |parts: &[u64; 4]| FxBuildHasher.hash_one(parts);
-        let (key, all) = (hash(&parts), &self.parts);
-        if let Some(&known) = self.index.find(key, |&i| all[i as usize] == parts) {
-            return known;
-        }
-        let number = self.weights.len() as u32;
-        self.weights.push(leap.scale(self.discount) * probability);
-        self.parts.push(parts);
-        let all = &self.parts;
-        self.index.insert_unique(key, number, |&i| hash(&all[i as usize]));
-        number
+        let probe = self.index.probe(parts);
+        self.index.find(parts, probe, &self.parts).unwrap_or_else(|| {
+            self.weights.push(leap.scale(self.discount) * probability);
+            self.parts.push(parts);
+            self.index.add(probe, &self.parts);
+            self.parts.len() as u32 - 1
+        })
     }
 
     /// The weight of an outcome.
