@@ -32,9 +32,9 @@ pub(super) struct Ground<'a> {
 pub(super) enum Table {
     /// By the robot's pose.
     Robot { headings: usize, rest: Vec<u16> },
-    /// By the robot's pose, times the number of places, and an object's place.
+    /// By an object's place, times the number of poses, and the robot's pose, for it walks more often than it carries.
     /// `ends` has the pose that the robot ends in then, if it was wanted.
-    Carry { headings: usize, n: usize, rest: Vec<u16>, ends: Vec<u16> },
+    Carry { headings: usize, poses: usize, rest: Vec<u16>, ends: Vec<u16> },
     /// Moves of either of two objects by their places.
     Fetch { n: usize, moves: Vec<u16> },
     /// Nothing is known but whether it is fulfilled.
@@ -53,10 +53,10 @@ impl Table {
         let (first, second) = (usize::from(one), usize::from(other));
         match self {
             Self::Robot { headings, rest } => finite(rest[pose(*headings, robot)]),
-            Self::Carry { headings, n, rest, .. } => {
-                finite(rest[pose(*headings, robot) * n + second])
+            Self::Carry { headings, poses, rest, .. } => {
+                finite(rest[second * poses + pose(*headings, robot)])
             }
-            Self::Fetch { n, moves } => match finite(moves[first * n + second])? {
+            Self::Fetch { n, moves } => match finite(moves[second * n + first])? {
                 0 => Some(0),
                 moves => {
                     let walk = steps.between(robot.0, one).into_iter();
@@ -75,8 +75,8 @@ impl Table {
         robot: (Place, Direction),
         object: Place,
     ) -> Option<(u32, (Place, Direction))> {
-        let Self::Carry { headings, n, rest, ends } = self else { return None };
-        let at = pose(*headings, robot) * n + usize::from(object);
+        let Self::Carry { headings, poses, rest, ends } = self else { return None };
+        let at = usize::from(object) * poses + pose(*headings, robot);
         let end = usize::from(*ends.get(at)?);
         let heading = if *headings == 1 { robot.1 } else { Direction::ALL[end % headings] };
         Some((finite(rest[at])?, (Place::try_from(end / headings).ok()?, heading)))
@@ -95,7 +95,7 @@ impl Table {
     #[inline]
     pub(super) fn moves(&self, first: Place, second: Place) -> Option<u32> {
         match self {
-            Self::Fetch { n, moves } => finite(moves[usize::from(first) * n + usize::from(second)]),
+            Self::Fetch { n, moves } => finite(moves[usize::from(second) * n + usize::from(first)]),
             Self::Robot { .. } | Self::Carry { .. } | Self::Unknown => Some(0),
         }
     }
@@ -217,7 +217,8 @@ impl<'a> Ground<'a> {
             }
             search.turn(agent, heading, object);
         }
-        Table::Carry { headings: self.headings, n, rest: search.rest, ends: search.ends }
+        let (headings, poses) = (self.headings, search.poses);
+        Table::Carry { headings, poses, rest: search.rest, ends: search.ends }
     }
 
     /// Moves of two objects, one cell a move, until `goal` holds of them; and the robot's way to one.
@@ -325,11 +326,12 @@ impl<'a> Ground<'a> {
 /// A breadth-first search over a robot's poses and a thing's places, backwards from those that fulfil a goal.
 struct Search {
     headings: usize,
-    n: usize,
+    poses: usize,
+    /// By the thing's place and the robot's pose.
     rest: Vec<u16>,
-    /// The pose at the end, by pose and place; empty if it is not wanted.
+    /// The pose at the end; empty if it is not wanted.
     ends: Vec<u16>,
-    queue: VecDeque<(usize, Place)>,
+    queue: VecDeque<(u32, Place)>,
     depth: u16,
     end: Option<u16>,
 }
@@ -342,9 +344,10 @@ impl Search {
         n: usize,
         goals: impl Iterator<Item = (Place, Place)>,
     ) -> Self {
-        let rest = vec![NEVER; ground.len() * headings * n];
+        let poses = ground.len() * headings;
+        let rest = vec![NEVER; n * poses];
         let (ends, queue) = (Vec::new(), VecDeque::new());
-        let mut search = Self { headings, n, rest, ends, queue, depth: 0, end: None };
+        let mut search = Self { headings, poses, rest, ends, queue, depth: 0, end: None };
         search.begin(goals);
         search
     }
@@ -360,7 +363,8 @@ impl Search {
     /// The next place and heading of the robot, and place of the thing.
     fn next(&mut self) -> Option<(Place, usize, Place)> {
         let (pose, thing) = self.queue.pop_front()?;
-        let at = pose * self.n + usize::from(thing);
+        let pose = pose as usize;
+        let at = usize::from(thing) * self.poses + pose;
         self.depth = (self.rest[at] + 1).min(NEVER - 1);
         self.end = self.ends.get(at).copied();
         // A pose is made from a place, times at most four.
@@ -370,13 +374,13 @@ impl Search {
 
     fn reach(&mut self, robot: (Place, Direction), thing: Place) {
         let pose = pose(self.headings, robot);
-        let at = pose * self.n + usize::from(thing);
+        let at = usize::from(thing) * self.poses + pose;
         if self.rest[at] == NEVER {
             self.rest[at] = self.depth;
             if let Some(end) = self.ends.get_mut(at) {
                 *end = self.end.unwrap_or(pose as u16);
             }
-            self.queue.push_back((pose, thing));
+            self.queue.push_back((pose as u32, thing));
         }
     }
 
