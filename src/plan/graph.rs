@@ -106,9 +106,27 @@ impl<P: Mdp> Graph<P> {
 
     /// The rows of a state; none unless it was expanded, and none that leaves it where it is or leads to death alone.
     pub(super) fn rows(&self, id: Id) -> impl Iterator<Item = usize> {
+        self.rows_with_outcomes(id).map(|(row, _)| row)
+    }
+
+    /// The same, each with its outcomes and their weights.
+    #[inline]
+    pub(super) fn rows_with_outcomes(
+        &self,
+        id: Id,
+    ) -> impl Iterator<Item = (usize, impl Iterator<Item = (Id, f64)>)> {
         let all = self.row_range(id);
-        let first = all.start;
-        all.filter(move |&edge| edge == first || self.edges[edge - 1].is_last())
+        let mut next = all.start;
+        self.edges[all].split_inclusive(|edge| edge.is_last()).map(move |outcomes| {
+            let row = next;
+            next += outcomes.len();
+            (row, self.weighed(outcomes))
+        })
+    }
+
+    #[inline]
+    fn weighed(&self, outcomes: &[Edge]) -> impl Iterator<Item = (Id, f64)> {
+        outcomes.iter().map(|&edge| (edge.target, self.weights.get(edge)))
     }
 
     /// The outcomes of all rows of a state.
@@ -159,8 +177,7 @@ impl<P: Mdp> Graph<P> {
     /// The outcomes of a row, each with its weight.
     #[inline]
     pub(super) fn outcomes(&self, row: usize) -> impl Iterator<Item = (Id, f64)> {
-        let edges = &self.edges[self.edges(row)];
-        edges.iter().map(|&edge| (edge.target, self.weights.get(edge)))
+        self.weighed(&self.edges[self.edges(row)])
     }
 
     /// The sum of the weights of a row: 1, but for what the way costs and what staying takes.
@@ -178,16 +195,14 @@ impl<P: Mdp> Graph<P> {
     pub(super) fn best(&self, id: Id, worth: impl Fn(Id) -> f64) -> Option<(usize, f64)> {
         let mut best = None;
         let mut most = 0.0;
-        let all = self.row_range(id);
-        let (mut row, mut sum) = (all.start, 0.0);
-        for (next, &edge) in (all.start + 1..).zip(&self.edges[all]) {
-            sum += self.weights.get(edge) * worth(edge.target);
-            if edge.is_last() {
-                if sum > most {
-                    most = sum;
-                    best = Some((row, sum));
-                }
-                (row, sum) = (next, 0.0);
+        for (row, outcomes) in self.rows_with_outcomes(id) {
+            let mut sum = 0.0;
+            for (target, weight) in outcomes {
+                sum += weight * worth(target);
+            }
+            if sum > most {
+                most = sum;
+                best = Some((row, sum));
             }
         }
         best

@@ -277,10 +277,10 @@ impl<P: Mdp + Clone> Lrtdp<P> {
         self.steps += 1;
         let mut best = None;
         let mut most = Worth { upper: 0.0, lower: 0.0 };
-        for row in self.graph.rows(id) {
+        for (row, outcomes) in self.graph.rows_with_outcomes(id) {
             self.backups += 1;
             let mut sum = Worth { upper: 0.0, lower: 0.0 };
-            for (target, weight) in self.graph.outcomes(row) {
+            for (target, weight) in outcomes {
                 let Worth { upper, lower } = self.worth[target as usize];
                 sum.upper += weight * upper;
                 sum.lower += weight * lower;

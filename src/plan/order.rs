@@ -12,7 +12,8 @@ const NONE: u32 = u32::MAX;
 /// An order in the making.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Order {
-    /// By state, how many ways lead to it; then where those end in the lists below, and when all are linked, where they begin.
+    /// By state, how many ways lead to it; then where those end in the lists below, and when all are linked, where they
+    /// begin.
     into: Vec<u32>,
     /// The ways into each state one after the other: where they come from, and how many actions they take.
     from: Vec<Id>,
@@ -74,7 +75,7 @@ impl Order {
             let end = &mut self.into[to as usize];
             *end -= 1;
             self.from[*end as usize] = id;
-            self.costs[*end as usize] = cost as u16;
+            self.costs[*end as usize] = u16::try_from(cost).unwrap_or(u16::MAX);
         }
         if graph.is_terminal(id) {
             self.reach(id, 0);
