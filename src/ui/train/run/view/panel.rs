@@ -34,7 +34,9 @@ pub(crate) fn panel(
             <div class="column">
                 if let Some(run) = &state.run {
                     { curves(run, text, act) }
-                    { now(run, text) }
+                    if !run.is_still() {
+                        { now(run, text) }
+                    }
                 }
             </div>
         </div>
