@@ -37,7 +37,9 @@ pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
 /// For every word whether it may go without meaning. Behind a word that turns round, a verb that begins another clause may
 /// not: silent, it would have that denied, too. A preposition next to the turning word says what is turned ("not to the red
 /// room but to the blue one"). Nor may a pronoun that is all a verb is done to ("take it to the red room"), or that stands
-/// behind a preposition in what orders or sets a condition ("until the chair is in it").
+/// behind a preposition in what orders or sets a condition ("until the chair is in it"), or that is gone away from ("get out
+/// of there"); nor the verb that brings what stands behind it anywhere, beside what turns, orders or limits ("put the block in
+/// the red room first" brings it there).
 fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     let closed = closed(words);
     let clauses = clauses_behind(model, words, &closed);
@@ -58,7 +60,41 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
             && closed[at - 1] == Some(Kind::Turns)
             && is(model, &words[at], is_verb)
     };
-    let speaks = |at: usize| closed[at].is_some() || is_turned(at) || is_thing(at) || is_denied(at);
+    let turns = |at: usize| closed[at] == Some(Kind::Turns);
+    let is_pronoun = |at: usize| PRONOUNS.contains(&&*words[at]);
+    let is_left = |at: usize| {
+        let is_behind = at > 1 && matches!(&*words[at - 1], "of" | "from") && turns(at - 2);
+        is_behind && (is_pronoun(at) || words[at] == "there")
+    };
+    let is_turned_one = |at: usize| at > 0 && turns(at - 1) && is_pronoun(at);
+    // What was done in the clause before is done first: "go to the blue room and get out of it".
+    let joins = |&at: &usize| matches!(closed[at], Some(Kind::Joins | Kind::Orders));
+    let left = (0..words.len()).find(|&at| is_left(at)).unwrap_or(0);
+    let before = (0..left).rev().find(joins).unwrap_or(0);
+    let is_before = |at: usize| {
+        let has_more = || {
+            let next = &words[at + 1];
+            begins_phrase(model, next) || is(model, next, is_preposition)
+        };
+        at + 1 < before && is(model, &words[at], is_verb) && has_more()
+    };
+    let is_strict = closed.iter().any(|kind| kind.is_some_and(|kind| kind != Kind::Joins));
+    let brings = |at: usize| {
+        is_strict
+            && is(model, &words[at], brings_thing)
+            && !is(model, &words[at], takes_place)
+            && words.get(at + 1).is_some_and(|next| begins_phrase(model, next))
+            && !words[at + 1..].iter().any(|word| PRONOUNS.contains(&&**word))
+    };
+    let speaks = |at: usize| {
+        let goes_on = || is_turned(at) || is_thing(at) || is_denied(at);
+        closed[at].is_some()
+            || goes_on()
+            || is_left(at)
+            || is_turned_one(at)
+            || is_before(at)
+            || brings(at)
+    };
     (0..words.len()).map(|at| !speaks(at) && !clauses.contains(&at)).collect()
 }
 
@@ -133,13 +169,31 @@ pub(super) fn is_place_word(model: &Model, word: &str) -> bool {
     is(model, word, is_preposition) || is(model, word, |all, syntax| all.is(syntax, Atom::PP))
 }
 
-/// Whether the word brings a thing somewhere: `S/PP/NP`.
+/// Whether the word brings a thing somewhere.
 pub(super) fn moves(model: &Model, word: &str) -> bool {
-    is(model, word, |all, syntax| {
-        let rest = all.forward(syntax).filter(|&(_, argument)| all.is(argument, Atom::NP));
-        let parts = rest.and_then(|(rest, _)| all.forward(rest));
-        parts.is_some_and(|(result, place)| all.is(result, Atom::S) && all.is(place, Atom::PP))
-    })
+    is(model, word, brings_thing)
+}
+
+/// `S/PP/NP`.
+fn brings_thing(all: &Syntaxes, syntax: SyntaxId) -> bool {
+    let rest = all.forward(syntax).filter(|&(_, argument)| all.is(argument, Atom::NP));
+    rest.is_some_and(|(rest, _)| takes_place(all, rest))
+}
+
+/// `S/PP`: what the robot does alone.
+fn takes_place(all: &Syntaxes, syntax: SyntaxId) -> bool {
+    let parts = all.forward(syntax);
+    parts.is_some_and(|(result, place)| all.is(result, Atom::S) && all.is(place, Atom::PP))
+}
+
+/// Whether the word is one with which a clause begins: what one does.
+pub(super) fn is_verb_word(model: &Model, word: &str) -> bool {
+    is(model, word, is_verb)
+}
+
+/// Whether the word can only begin a noun phrase: no noun, and nothing that describes one.
+pub(super) fn is_determiner(model: &Model, word: &str) -> bool {
+    begins_phrase(model, word) && !is(model, word, is_noun) && !is_adjective(model, word)
 }
 
 /// `PP/NP`.

@@ -3,7 +3,8 @@
 //! goes before both.
 
 use super::absorb::{
-    PRONOUNS, begins_phrase, empty_entries, is_adjective, is_bare_noun, is_place_word, moves,
+    PRONOUNS, begins_phrase, empty_entries, is_adjective, is_bare_noun, is_determiner,
+    is_place_word, is_verb_word, moves,
 };
 use super::category::Category;
 use super::chart::Lexical;
@@ -18,6 +19,32 @@ use super::spelling::heard;
 use super::syntax::{Atom, SyntaxId};
 use crate::logic::read;
 use std::sync::Arc;
+
+/// Verbs that say what is somewhere, not what is done to it.
+const STATES: [&str; 16] = [
+    "leave",
+    "leaves",
+    "leaving",
+    "keep",
+    "keeping",
+    "have",
+    "has",
+    "having",
+    "contain",
+    "contains",
+    "containing",
+    "hold",
+    "holds",
+    "holding",
+    "with",
+    "let",
+];
+
+/// Verbs by which a state lasts.
+const STAYS: [&str; 2] = ["stay", "remain"];
+
+/// Words up to when.
+const UNTIL: [&str; 2] = ["until", "till"];
 
 /// A command's words as they are heard.
 #[derive(Clone, Debug, Default)]
@@ -79,11 +106,69 @@ impl Hearing {
         {
             return false;
         }
+        if self.is_out_of_place(model, item) {
+            return false;
+        }
         // What the robot is not to do says nothing of where a thing is not to be: "take it to the red room but not the blue".
         let of_robot = syntaxes.forbids_place(syntax) && item.end < self.words.len();
         let is_place =
             || syntaxes.is_in_time(syntax) || is_place_word(model, &self.words[item.end]);
         !(of_robot && is_place() && self.moves_thing(model, item.start))
+    }
+
+    /// Whether what stands around words shows that they are not used in this category.
+    fn is_out_of_place(&self, model: &Model, item: &Lexical) -> bool {
+        let (syntaxes, syntax) = (&model.grammar.syntaxes, item.category.syntax);
+        let before = item.start.checked_sub(1).map(|at| self.words[at].as_str());
+        let next = self.words.get(item.end);
+        let opens_phrase = || next.is_some_and(|word| begins_phrase(model, word));
+        let rest = &self.words[item.end..];
+        match syntaxes.text(syntax) {
+            // An adjective is denied where one stands: "not the red room" is no room that is not red.
+            "N/N/(N/N)" if self.closed[item.start] == Some(Kind::Turns) => {
+                next.is_some_and(|word| is_determiner(model, word))
+            }
+            // "Any room" is a command by itself, but not behind a preposition: "by any room".
+            "S/N" => before.is_some_and(|word| is_place_word(model, word)),
+            // What comes first of what is not said is that alone.
+            "LIST\\S" if self.closed[item.start] == Some(Kind::Orders) => {
+                let is_silent = |at: usize| self.empty[at].is_some();
+                !(item.end..self.words.len()).all(is_silent)
+                    || self.closed[..item.start].iter().any(Option::is_some)
+            }
+            // Of what is there, and at the beginning, "only" says that nothing else is; of what is done that is so anyway.
+            "N/N" | "NP/NP" | "NP\\NP" if self.limits(item.start) => {
+                let is_all =
+                    || opens_phrase() && rest.iter().any(|word| is_place_word(model, word));
+                before.map_or_else(is_all, |word| STATES.contains(&word))
+            }
+            "S/PP/NP" if self.limits(item.start) => before.is_some() || !opens_phrase(),
+            // To keep one thing or another out is to keep both.
+            "S/PP\\(S/PP/NP)\\NP/NP" if self.words[item.start] == "or" => {
+                let is_out = |kind: &Option<Kind>| *kind == Some(Kind::Turns);
+                self.words[..item.start].iter().any(|word| word == "keep")
+                    && self.closed[item.end..].iter().any(is_out)
+            }
+            // Where one stays until something is so, one is all that time, not once.
+            "T\\T/T" if UNTIL.contains(&&*self.words[item.start]) => {
+                self.words[..item.start].iter().any(|word| STAYS.contains(&&**word))
+            }
+            "NEG/PP" => !rest.iter().any(|word| UNTIL.contains(&&**word)),
+            // "But to the blue room" is where to go instead, no other clause.
+            "T\\NEG/T" if self.words[item.start] == "but" => {
+                opens_phrase() || next.is_some_and(|word| is_place_word(model, word))
+            }
+            // No bare phrase is forbidden: "take the block without the chair to the red room".
+            _ if syntaxes.forbids_along(syntax) => {
+                opens_phrase() && !rest.iter().any(|word| is_verb_word(model, word))
+            }
+            _ => false,
+        }
+    }
+
+    /// Whether a word limits to one thing.
+    fn limits(&self, at: usize) -> bool {
+        self.closed[at] == Some(Kind::Limits) || self.words[at] == "nothing"
     }
 
     /// Whether a word that joins goes on with what was denied before it: no other clause begins behind it, for there stands

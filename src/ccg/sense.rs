@@ -3,7 +3,7 @@
 //! that denies ("anywhere but the red or the blue room"), is all of them.
 
 use crate::logic::signature::SortSet;
-use crate::logic::{LogicError, Node, Sorts, TermId, Terms};
+use crate::logic::{LogicError, Node, Sorts, TermId, Terms, ty};
 
 /// Whether somebody could mean a goal.
 pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
@@ -16,9 +16,8 @@ pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
         (Some("the" | "argmax" | "argmin"), &[property, ..]) => {
             body(terms, property) != Some(terms.truth())
         }
-        (Some("not"), &[denied]) => {
-            !is_everywhere(terms, denied) && !is_narrow(terms, denied) && !is_door(terms, denied)
-        }
+        (Some("not"), &[denied]) => !is_everywhere(terms, denied) && !is_narrow(terms, denied),
+        (Some("in"), &[_, place]) => !is_door(terms, place),
         (Some("until"), &[_, first, next]) => !is_undone(terms, first, next),
         (Some("and"), parts) => {
             let is_void = contradicts(terms, parts) || mixes(terms, sorts, parts);
@@ -56,14 +55,31 @@ pub(super) fn denied(terms: &mut Terms, term: TermId) -> Result<TermId, LogicErr
     }
 }
 
-/// Whether each of several says the same as the others, and denies something besides.
+/// Whether each of several says the same as the others, and denies something besides. Where they claim nothing, it is of the
+/// same thing: of two things it is one or the other ("get either the block or the chair out").
 fn are_denials(terms: &Terms, several: &[TermId]) -> bool {
     let parts: Vec<Vec<TermId>> = several.iter().map(|&one| conjuncts(terms, one)).collect();
     let is_shared = |part: &TermId| parts.iter().all(|other| other.contains(part));
+    let claims = parts.iter().flatten().any(is_shared);
+    let mut of_one = None;
     parts.iter().all(|own| {
         let mut own = own.iter().filter(|part| !is_shared(part)).peekable();
-        own.peek().is_some() && own.all(|&part| terms.head_name(part) == Some("not"))
+        own.peek().is_some()
+            && own.all(|&part| {
+                terms.denied(part).is_some_and(|denied| {
+                    let of = subject(terms, denied);
+                    claims || *of_one.get_or_insert(of) == of
+                })
+            })
     })
+}
+
+/// What something is said of, if one thing is: the first argument.
+fn subject(terms: &Terms, part: TermId) -> Option<TermId> {
+    match terms.node(part) {
+        Node::Apply { args: &[of, ..], .. } if terms.ty(of) == ty::ENTITY => Some(of),
+        _ => None,
+    }
 }
 
 /// The parts of a conjunction; anything else is one.
@@ -118,9 +134,10 @@ fn is_narrow(terms: &Terms, denied: TermId) -> bool {
         && parts.iter().any(|&part| terms.head_name(part) == Some("not"))
 }
 
-/// Whether a thing is in a door, where nothing ever is: denied, nothing would be asked for.
-fn is_door(terms: &Terms, denied: TermId) -> bool {
-    let Some((_, parts)) = placed(terms, denied) else { return false };
+/// Whether a place is a door, in which nothing ever is: to be there is out of reach, what is there is nothing, and not to be
+/// there is idle ("do not block the door").
+fn is_door(terms: &Terms, place: TermId) -> bool {
+    let parts = said_of(terms, place, "the").unwrap_or_default();
     parts.iter().any(|&part| terms.head_name(part) == Some("door"))
 }
 
@@ -173,8 +190,8 @@ fn quality<'a>(
     is_quality.then_some((of, sorts.of(name)?, name))
 }
 
-/// Whether something is said to be, or not to be, what its kind can never be: a chair other than the block. Or it is said
-/// not to be what has all its properties: the chair other than the chair.
+/// Whether something is said to be, or not to be, what its kind can never be: a chair other than the block, a red room other
+/// than the blue one. Or it is said not to be what has all its properties: the chair other than the chair.
 fn excludes_idly(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
     parts.iter().any(|&part| {
         let denied = terms.denied(part);
@@ -187,6 +204,18 @@ fn excludes_idly(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
         let Some(of_phrase) = said_of(terms, phrase, "the") else { return false };
         let is_own = |part: &TermId| parts.contains(part);
         if denied.is_some() && index == 0 && of_phrase.iter().all(is_own) {
+            return true;
+        }
+        let qualities = |parts: &[TermId], index: u32| -> Vec<(&[SortSet], &str)> {
+            let all = parts.iter().filter_map(|&part| quality(terms, sorts, part));
+            let of_one = all.filter(|&(of, ..)| terms.node(of) == Node::Variable(index));
+            of_one.map(|(_, kind, name)| (kind, name)).collect()
+        };
+        let [own, other] = [qualities(parts, index), qualities(&of_phrase, 0)];
+        let excludes = |(kind, name): &(&[SortSet], &str)| {
+            other.iter().any(|(of, other)| of == kind && other != name)
+        };
+        if own.iter().any(excludes) {
             return true;
         }
         let [own, other] = [kinds(terms, sorts, parts, index), kinds(terms, sorts, &of_phrase, 0)];
