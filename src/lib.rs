@@ -24,12 +24,9 @@
 //!    named as left out (`ccg::closed`).
 //! 9. Long work goes in bounded steps, so that a cancel and a look at how far it is are answered at once.
 
-pub mod logic;
+pub use groundling_kernel::{domain, ground, logic, mdp, plan, solve};
+
 pub mod ccg;
-pub mod mdp;
-pub mod domain;
-pub mod ground;
-pub mod plan;
 pub mod corpus;
 pub mod learn;
 pub mod study;

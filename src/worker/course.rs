@@ -3,13 +3,13 @@
 
 use super::protocol::{Instead, Reading};
 use super::read::plain;
-use super::solving::{Problem, STEPS, solver};
+use super::solving::{STEPS, solver};
 use crate::domain::{Rules, State};
 use crate::ground::relax::{after, demands, once, without};
 use crate::ground::{Course, Goal, GoalError, Undertaking, claim};
 use crate::logic::{TermId, Terms};
 use crate::mdp::{Mdp, Outcome, Solver};
-use crate::plan::Auto;
+use crate::solve::Planner;
 use std::rc::Rc;
 
 /// Demands of which each is tried without, before all are.
@@ -26,7 +26,7 @@ pub(super) struct Timed {
     /// Selections of what it demands that were not tried yet, the last first.
     left: Vec<Vec<TermId>>,
     /// What is tried without some, as it is solved.
-    trying: Option<(Vec<TermId>, Auto<Problem>)>,
+    trying: Option<(Vec<TermId>, Planner)>,
 }
 
 impl Timed {

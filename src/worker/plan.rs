@@ -3,12 +3,12 @@
 
 use super::course::Timed;
 use super::protocol::{Instead, PlanProgress, PlanText, WorldRules};
-use super::solving::{Problem, STEPS, solver};
+use super::solving::{STEPS, solver};
 use crate::domain::{Action, Chances, Form, Movable, NotAProbability, Packed, Rules, State};
 use crate::ground::{ErrandError, Goal, GoalError, Task, TaskError, Undertaking};
 use crate::logic::{ReadError, Terms, read, ty};
 use crate::mdp::{Mdp, Outcome, Policy, Solver, sample};
-use crate::plan::{Auto, ValueIteration};
+use crate::solve::{AllStates, Planner};
 use rand::SeedableRng;
 use rand_pcg::Pcg64Mcg;
 use std::cell::OnceCell;
@@ -68,7 +68,7 @@ pub(super) struct Planning {
     /// What else could be done.
     instead: Option<Option<Box<Instead>>>,
     /// The solver of the beginning; its policy is what is kept.
-    first: Auto<Problem>,
+    first: Planner,
     outcome: Option<Outcome>,
     is_hasty: bool,
     run: Run,
@@ -90,7 +90,7 @@ struct Run {
 
 /// A solver that thinks again.
 struct Again {
-    solver: Auto<Problem>,
+    solver: Planner,
     from: Packed,
     has_ended: bool,
 }
@@ -100,9 +100,9 @@ pub(super) struct Planned {
     pub(super) task: Rc<Undertaking>,
     /// The stages of a task over time that the run came to, by how many steps were done.
     stages: Vec<(u8, u8)>,
-    pub(super) solver: Auto<Problem>,
+    pub(super) solver: Planner,
     /// The values of all states, once somebody asked for them and they were not too many.
-    pub(super) all: OnceCell<Option<ValueIteration<Problem>>>,
+    pub(super) all: OnceCell<Option<AllStates>>,
 }
 
 impl Planning {
@@ -312,7 +312,7 @@ pub(super) fn no_plan(start: &State, reason: &str, instead: Option<Box<Instead>>
     }
 }
 
-fn progress(solver: &Auto<Problem>) -> PlanProgress {
+fn progress(solver: &Planner) -> PlanProgress {
     let progress = solver.progress();
     PlanProgress {
         solver: solver.name().to_owned(),

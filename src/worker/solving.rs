@@ -2,8 +2,8 @@
 
 use crate::domain::Packed;
 use crate::ground::Undertaking;
-use crate::mdp::{Settings, StartingAt};
-use crate::plan::Auto;
+use crate::mdp::Settings;
+use crate::solve::Planner;
 use std::rc::Rc;
 
 /// Steps of the solver in a step of the job.
@@ -13,12 +13,9 @@ const BUDGET: (u64, usize) = (20_000_000, 1_500_000);
 /// The same where nothing is left to chance, and a plan is there at once: about a second.
 const SURE: u64 = 250_000;
 
-/// A task, shared by its solvers.
-pub(super) type Problem = StartingAt<Rc<Undertaking>>;
-
 /// A solver for the task begun in a state.
-pub(super) fn solver(task: &Rc<Undertaking>, start: Packed) -> Auto<Problem> {
+pub(super) fn solver(task: &Rc<Undertaking>, start: Packed) -> Planner {
     let steps = if task.is_deterministic() { SURE } else { BUDGET.0 };
     let settings = Settings::default().with_budget(steps, BUDGET.1);
-    Auto::new(StartingAt::new(task.clone(), start), settings)
+    Planner::new(task.clone(), start, settings)
 }

@@ -2,15 +2,14 @@
 
 use super::plan::Planned;
 use super::protocol::{CellValue, Runs, ValueMap};
-use super::solving::{Problem, STEPS, solver};
+use super::solving::{STEPS, solver};
 use crate::domain::layout::Place;
 use crate::domain::{Action, Direction, Packed, State};
 use crate::ground::Undertaking;
 use crate::mdp::{
     Mdp, Outcome, Policy, Progress, RolloutReport, RolloutSettings, Rollouts, Settings, Solver,
-    StartingAt,
 };
-use crate::plan::{Auto, ValueIteration};
+use crate::solve::{AllStates, Planner};
 use std::rc::Rc;
 
 /// Most states that are worked out: some twenty megabytes, and a fraction of a second in a page.
@@ -26,7 +25,7 @@ pub(super) struct Valuing {
     planned: Rc<Planned>,
     around: Packed,
     /// All states on their way, unless they were worked out before.
-    all: Option<ValueIteration<Problem>>,
+    all: Option<AllStates>,
     /// The cells of the map so far, and how many places were looked at.
     cells: Vec<CellValue>,
     seen: usize,
@@ -40,7 +39,7 @@ impl Valuing {
         let all = planned.all.get().is_none().then(|| {
             let settings = Settings::default().with_budget(u64::MAX, STATES);
             let start = planned.task.initial();
-            ValueIteration::whole(StartingAt::new(planned.task.clone(), start), settings)
+            AllStates::new(planned.task.clone(), start, settings)
         });
         Some(Valuing { planned, around, all, cells: Vec::new(), seen: 0 })
     }
@@ -107,11 +106,11 @@ type Make = Box<dyn FnMut(Packed) -> Follower>;
 /// The policy that was found, or one that was made on the way.
 enum Follower {
     Found(Rc<Planned>),
-    Made(Box<Auto<Problem>>),
+    Made(Box<Planner>),
 }
 
 impl Follower {
-    fn policy(&self) -> &Auto<Problem> {
+    fn policy(&self) -> &Planner {
         match self {
             Follower::Found(planned) => &planned.solver,
             Follower::Made(solver) => solver,

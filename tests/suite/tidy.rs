@@ -196,6 +196,12 @@ fn modules_stand_in_reading_order() {
         "pub mod logic;\npub mod plan;",
     );
     tells_apart(rule, "src/lib.rs", "pub mod helpers;", "pub mod ccg;");
+    tells_apart(
+        rule,
+        "src/kernel.rs",
+        "pub mod solve;\npub mod plan;",
+        "pub mod plan;\npub mod solve;",
+    );
     holds(rule);
 }
 

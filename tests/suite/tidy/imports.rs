@@ -5,8 +5,9 @@ use super::file::File;
 use super::paths::{Path, Paths};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-/// The name of the library in the programs and tests.
-const LIBRARY: &str = "groundling";
+/// The names of our crates in others, each with its root.
+const CRATES: [(&str, &str); 2] =
+    [("groundling", "src/lib.rs"), ("groundling_kernel", "src/kernel.rs")];
 /// How often a name may be handed on, or renamed, on its way to its file.
 const MOST_HANDS: usize = 16;
 
@@ -110,8 +111,10 @@ impl<'a> Imports<'a> {
                 return self.absolute(parent, rest, hands);
             }
             "super" => return Some([parent, rest].concat()),
-            LIBRARY => return Some([&["src/lib.rs".to_owned()], rest].concat()),
             _ => {}
+        }
+        if let Some((_, root)) = CRATES.iter().find(|(name, _)| name == first) {
+            return Some([&[(*root).to_owned()], rest].concat());
         }
         let child = [module, &path[..1]].concat();
         if self.modules.contains_key(&child) {

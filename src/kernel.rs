@@ -1,0 +1,10 @@
+//! What Groundling computes with: logical forms, Cleanup World, goals grounded in it, and the planners that earn them. A
+//! crate of its own, so that every program has it made for speed (`Cargo.toml`), those too that are made to be small. All
+//! else reaches it through `groundling`, whose invariants are its own.
+
+pub mod logic;
+pub mod mdp;
+pub mod domain;
+pub mod ground;
+pub mod plan;
+pub mod solve;
