@@ -65,7 +65,7 @@ flow('what comes late comes when it is wanted, though it did not come by itself'
 });
 
 flow('what comes late and cannot be fetched is told in words', async (t) => {
-  t.expect(/_late\.|A part of the page could not be fetched|Failed to load resource: net::ERR_FAILED/);
+  t.expect(/_late\.|A part of the (page|talker) could not be fetched|Failed to load resource: net::ERR_FAILED/);
   await t.context.route(/_late\./, (route) => route.abort());
   const demo = await openPage(t);
   await demo.by('command').fill('go to the blue room');
