@@ -12,6 +12,8 @@ use super::syntax::{Atom, SyntaxId, Syntaxes};
 
 /// What stands for a thing that was named before.
 pub(super) const PRONOUNS: [&str; 2] = ["it", "them"];
+/// Before a pronoun these often say nothing: "the room with the chair in it".
+const WITHIN: [&str; 6] = ["in", "into", "inside", "within", "with", "of"];
 
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -38,8 +40,8 @@ pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
 /// not: silent, it would have that denied, too. A preposition next to the turning word says what is turned ("not to the red
 /// room but to the blue one"). Nor may a pronoun that is all a verb is done to ("take it to the red room"), or that stands
 /// behind a preposition in what orders or sets a condition ("until the chair is in it"), or that is gone away from ("get out
-/// of there"); nor the verb that brings what stands behind it anywhere, beside what turns, orders or limits ("put the block in
-/// the red room first" brings it there).
+/// of there"), or that one is to be beside in a clause that is joined ("and stand next to it"); nor the verb that brings what
+/// stands behind it anywhere, beside what turns, orders or limits ("put the block in the red room first" brings it there).
 fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     let closed = closed(words);
     let clauses = clauses_behind(model, words, &closed);
@@ -66,6 +68,24 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         let is_behind = at > 1 && matches!(&*words[at - 1], "of" | "from") && turns(at - 2);
         is_behind && (is_pronoun(at) || words[at] == "there")
     };
+    // Beside what one is to be in a clause that is joined: where its place begins, and the pronoun behind it.
+    let joined = closed.iter().position(|&kind| kind == Some(Kind::Joins)).unwrap_or(words.len());
+    let is_place = |at: usize| at > joined && is_place_word(model, &words[at]);
+    let beside = (joined + 1..words.len()).find_map(|end| {
+        let start = (0..end).rev().take_while(|&at| is_place(at)).last()?;
+        (is_pronoun(end) && !WITHIN.contains(&&*words[end - 1])).then_some((start, end))
+    });
+    let is_beside = |at: usize| {
+        let goes = || is(model, &words[at], takes_place) && is_place_word(model, &words[at + 1]);
+        beside.is_some_and(|(start, end)| {
+            at == end
+                || (start..end).contains(&at) && words[at] != "to"
+                || at + 1 < joined && goes()
+        })
+    };
+    // "Bring it there and stay out of it" does not say "and be out of it in the end".
+    let stays = |at: usize| matches!(&*words[at], "stay" | "keep" | "remain");
+    let stays_out = |at: usize| at > joined && stays(at) && at + 3 < words.len() && is_left(at + 3);
     let is_turned_one = |at: usize| at > 0 && turns(at - 1) && is_pronoun(at);
     // What was done in the clause before is done first: "go to the blue room and get out of it".
     let joins = |&at: &usize| matches!(closed[at], Some(Kind::Joins | Kind::Orders));
@@ -91,6 +111,8 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         closed[at].is_some()
             || goes_on()
             || is_left(at)
+            || is_beside(at)
+            || stays_out(at)
             || is_turned_one(at)
             || is_before(at)
             || brings(at)

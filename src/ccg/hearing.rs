@@ -229,9 +229,10 @@ impl Hearing {
         let joins = |at: usize| matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));
         let begins = |&at: &usize| {
             let verb = (at..self.words.len()).find(|&at| !joins(at));
-            // What is done to a thing that was named before belongs to that clause.
+            // What is done to a thing that was named before, or beside it, belongs to that clause.
             let goes_on = |verb: usize| {
-                self.words.get(verb + 1).is_some_and(|next| PRONOUNS.contains(&&**next))
+                let next = self.words[verb + 1..].iter().find(|word| !is_place_word(model, word));
+                next.is_some_and(|next| PRONOUNS.contains(&&**next))
             };
             joins(at)
                 && !joins(at - 1)

@@ -2,7 +2,7 @@
 //! skips words or throws meanings away, and says which; when there is no single answer, why. No reading is silent about a
 //! closed word: what can be read only without one is no answer.
 
-use super::absorb::{Leniency, absorbing, absorption, clauses_behind};
+use super::absorb::{Leniency, absorbing, absorption, clauses_behind, is_place_word, is_verb_word};
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Edge, Lexical};
 use super::clauses::Clauses;
@@ -345,8 +345,19 @@ fn fill_at(model: &mut Model, hearing: &Hearing, leniency: Leniency, config: Cha
     let within: Vec<bool> = (0..hearing.words.len())
         .map(|at| is_strict && hearing.is_within_phrase(model, at))
         .collect();
-    let admit = |_: &Grammar, (start, _): (usize, usize), category: Category| {
-        !within[start] || !category.syntax.is_sentence()
+    // A thing that is joined to another is no clause: "put the chair next to the block and the bag".
+    let says = |at: &usize| {
+        let word = &hearing.words[*at];
+        is_verb_word(model, word) || is_place_word(model, word)
+    };
+    let bare: Vec<usize> = (0..hearing.words.len())
+        .map(|start| match start.checked_sub(1).and_then(|before| hearing.closed[before]) {
+            Some(Kind::Joins) => (start..hearing.words.len()).find(says).unwrap_or(usize::MAX),
+            _ => 0,
+        })
+        .collect();
+    let admit = |_: &Grammar, (start, end): (usize, usize), category: Category| {
+        !category.syntax.is_sentence() || !within[start] && end > bare[start]
     };
     fill(model, &hearing.words, items, admit, config)
 }
