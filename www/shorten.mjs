@@ -1,5 +1,5 @@
 // Part of building the site for release (finish.mjs): what a program and its script give each other gets short names in
-// both, and scripts lose their indents and comments. Half of wasm-bindgen's names are hashes, which nothing packs.
+// both, and scripts and styles lose what only people read. Half of wasm-bindgen's names are hashes, which nothing packs.
 
 import { readFile, readdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -105,6 +105,9 @@ function trimmed(script, names) {
   return named.replaceAll(/\/\*\*[^]*?\*\//g, '').replaceAll(/^\s*(?:\/\/.*)?\n|^\s+/gm, '');
 }
 
+/** The same for styles, in which no text holds such signs. */
+const plain = (styles) => styles.replaceAll(/\/\*[^]*?\*\//g, '').replaceAll(/^\s+/gm, '').replaceAll(/(?<=[:;,{]) | (?=\{)/g, '');
+
 const folder = process.env.TRUNK_STAGING_DIR;
 if (process.env.TRUNK_PROFILE === 'release') {
   const files = await readdir(folder);
@@ -118,5 +121,10 @@ if (process.env.TRUNK_PROFILE === 'release') {
     const { program, names } = has ? shortened(await readFile(path.join(folder, beside))) : { names: new Map() };
     if (has) await writeFile(path.join(folder, beside), program);
     await writeFile(at, trimmed(await readFile(at, 'utf8'), names));
+  }));
+  // Those with a hash for a name Trunk has made small.
+  await Promise.all(files.filter((file) => /^[a-z]+\.css$/.test(file)).map(async (file) => {
+    const at = path.join(folder, file);
+    await writeFile(at, plain(await readFile(at, 'utf8')));
   }));
 }
