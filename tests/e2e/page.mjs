@@ -126,15 +126,8 @@ export class Demo extends Opened {
   async examples() {
     const seen = () => this.page.evaluate(() => [...document.querySelectorAll('.chip')].map((chip) =>
       [chip.dataset.testid, chip.textContent.trim()]));
-    await this.page.waitForTimeout(400);
-    let last;
-    await this.t.until('commands to try', async () => {
-      const [before, now] = [last, JSON.stringify(await seen())];
-      last = now;
-      await this.page.waitForTimeout(250);
-      return before === now && /example-5/.test(now);
-    });
-    return JSON.parse(last);
+    await this.t.until('commands to try', () => this.page.locator('.chips[aria-busy=false]').count());
+    return seen();
   }
 
   /** Waits until the command is planned for; a question on the way is answered with its first reading. */

@@ -46,8 +46,8 @@ pub fn answered(state: &mut State, shared: &mut Shared, request: Request, event:
             state.watch.runs = Some(runs);
             shared.say((Text::of(shared.language).runs)(&runs));
         }
-        (Event::Example { wanted, command }, _) => {
-            examples::came(state, shared, &wanted, command);
+        (Event::Example { wanted, command }, Request::Example { state: room, rules, .. }) => {
+            examples::came(state, shared, (&wanted, (&room, &rules)), command);
         }
         (Event::World(world), request) => worlds::came(state, shared, world, &request),
         (Event::WorldText { text }, _) => state.room.text = Some(text),

@@ -331,3 +331,44 @@ fn a_task_over_time_goes_on_where_the_robot_was_carried_or_asks() {
     carry(&mut page, (6, 6));
     assert!(page.state.shared.document.said.is_none());
 }
+
+/// Looks for the command to try that is asked for next: the answer to it names its kind.
+fn look(page: &mut Page) {
+    let Request::Example { wanted, .. } = page.asked().clone() else {
+        panic!("{:?}", page.asked())
+    };
+    let command = Some(format!("{wanted:?}"));
+    page.answer(Event::Example { wanted, command });
+}
+
+#[test]
+fn commands_to_try_are_those_of_the_room_that_is_there() {
+    let mut page = Page::ready();
+    let rest = |page: &mut Page| {
+        let timer = page.timers.iter().copied().rfind(|one| matches!(one, Timer::Examples(_)));
+        page.act(Action::Rang(timer.expect("the room is waited for")));
+    };
+    rest(&mut page);
+    while page.state.talk.command_examples.is_behind {
+        look(&mut page);
+    }
+    let found = |page: &Page| page.state.talk.command_examples.found.iter().flatten().count();
+    let before = found(&page);
+    assert!(before > 3, "{before}");
+    // The room changes while the engine looks for the third, and comes to rest before that is answered.
+    page.act(talk::Action::PickWorld(1));
+    rest(&mut page);
+    (look(&mut page), look(&mut page));
+    let late = page.asked().clone();
+    page.act(talk::Action::PickWorld(2));
+    rest(&mut page);
+    assert_eq!(page.asked(), &late, "the engine is still at it");
+    look(&mut page);
+    assert!(page.state.talk.command_examples.is_behind, "that was for another room");
+    assert_eq!(found(&page), before, "and nothing is half there");
+    while page.state.talk.command_examples.is_behind {
+        look(&mut page);
+    }
+    assert_eq!(found(&page), before);
+    assert!(page.posted.is_empty(), "{:?}", page.posted);
+}

@@ -1,11 +1,12 @@
 //! Commands to try in the room as it stands, one a kind: the engine looks for them whenever the room has come to rest.
 
 use super::offer::{Examples, KINDS};
+use crate::domain::State as World;
 use crate::ui::page::effect::{Effect, Timer};
 use crate::ui::page::shared::Shared;
 use crate::ui::page::world::WORLDS;
 use crate::ui::talk::state::State;
-use crate::worker::protocol::{Request, Wanted};
+use crate::worker::protocol::{Request, Wanted, WorldRules};
 
 /// Milliseconds that the room has to rest.
 const REST_MS: u32 = 300;
@@ -34,6 +35,7 @@ pub fn keep_up(state: &mut State, shared: &mut Shared) {
     if shared.can_ask() && !is_known {
         examples.of = Some((of.0.clone(), *of.1, of.2));
         examples.number = examples.number.wrapping_add(1);
+        examples.is_behind = true;
         shared.want(Effect::StartTimer(Timer::Examples(examples.number), REST_MS));
     }
 }
@@ -41,7 +43,7 @@ pub fn keep_up(state: &mut State, shared: &mut Shared) {
 /// The room has come to rest, unless another timer was started meanwhile.
 pub fn rang(state: &mut State, shared: &mut Shared, number: u32) {
     if number == state.command_examples.number {
-        state.command_examples.coming = Default::default();
+        (state.command_examples.coming, state.command_examples.next) = Default::default();
         shared.talker.retain(|request| !matches!(request, Request::Example { .. }));
         look(shared, 0);
     }
@@ -55,19 +57,26 @@ fn look(shared: &mut Shared, place: usize) {
     }
 }
 
-/// The engine has looked.
-pub fn came(state: &mut State, shared: &mut Shared, wanted: &Wanted, command: Option<String>) {
-    let mut places = 0..KINDS;
-    let Some(place) = places.find(|&place| kind(shared, place).as_ref() == Some(wanted)) else {
+/// The engine has looked in a room. What it was asked before the room changed, or the search began anew, counts no more.
+pub fn came(
+    state: &mut State,
+    shared: &mut Shared,
+    (wanted, room): (&Wanted, (&World, &WorldRules)),
+    command: Option<String>,
+) {
+    let place = state.command_examples.next;
+    let is_own = state.command_examples.of.as_ref().is_some_and(|(w, r, _)| (w, r) == room);
+    if !is_own || kind(shared, place).as_ref() != Some(wanted) {
         return;
-    };
-    let Examples { found, coming, .. } = &mut state.command_examples;
+    }
+    let Examples { found, coming, is_behind, .. } = &mut state.command_examples;
     let is_new = !coming[..place].contains(&command);
     coming[place] = command.filter(|_| is_new);
     // In a room of one's own the last but one would be the second again.
     let next = if place == 3 && shared.document.preset.is_none() { 5 } else { place + 1 };
     if next == KINDS {
-        *found = std::mem::take(coming);
+        (*found, *is_behind) = (std::mem::take(coming), false);
     }
+    state.command_examples.next = next;
     look(shared, next);
 }

@@ -17,6 +17,10 @@ pub struct Examples {
     pub of: Option<(World, WorldRules, usize)>,
     /// Which timer counts.
     pub number: u32,
+    /// The place whose kind is looked for.
+    pub next: usize,
+    /// Whether those that are shown are of another room, or none yet.
+    pub is_behind: bool,
 }
 
 impl Examples {

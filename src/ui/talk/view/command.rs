@@ -80,10 +80,10 @@ const SHOWN: [usize; KINDS] = [0, 1, Examples::TAUGHT, 2, 3, 4];
 pub(super) fn examples(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let can_ask = shared.can_ask();
-    let found = &state.command_examples.found;
+    let Examples { found, of, is_behind, .. } = &state.command_examples;
     html! {
         // What scrolls can be reached by keyboard, also while its buttons cannot.
-        <div class="chips" id="say-hint" tabindex={(!can_ask).then_some("0")}>
+        <div class="chips" id="say-hint" aria-busy={(*is_behind || of.is_none()).to_string()} tabindex={(!can_ask).then_some("0")}>
             <span class="dim">{ if can_ask { text.try_this } else { text.getting_ready } }</span>
             { for SHOWN.iter().filter_map(|&place| Some((place, found.get(place)?.clone()?))).map(|(place, command)| {
                 let is_new = place == Examples::TAUGHT;
