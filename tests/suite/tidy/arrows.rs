@@ -29,9 +29,6 @@ pub(super) fn imports_go_one_way(file: &File) -> Vec<String> {
     let Some(module) = file.path.strip_prefix("src/").and_then(|path| path.split_once('/')) else {
         return Vec::new();
     };
-    if file.ending() != "rs" {
-        return Vec::new();
-    }
     let Some((own, allowed)) = ARROWS.iter().find(|(name, _)| *name == module.0) else {
         return if module.0 == "bin" {
             Vec::new()
