@@ -358,7 +358,8 @@ fn commands_to_try_are_those_of_the_room_that_is_there() {
     // The room changes while the engine looks for the third, and comes to rest before that is answered.
     page.act(talk::Action::PickWorld(1));
     rest(&mut page);
-    (look(&mut page), look(&mut page));
+    look(&mut page);
+    look(&mut page);
     let late = page.asked().clone();
     page.act(talk::Action::PickWorld(2));
     rest(&mut page);
