@@ -1,8 +1,8 @@
 // Drives the built site in Chromium: `node run.mjs [--folder flows] [WORD…]` runs the flow files of a folder
 // one after another (those whose title or file holds a WORD), under a sub-path as any static host may
-// serve it. With LANES=2 two are at work at any time, and those that measure (`alone`) come after all others. With AGAIN=1
-// those that failed are run once more at the end, and named: a flow that needs two tries counts as passed, and is to be
-// mended all the same. Ends with what failed and "N passed, N failed". Screenshots and diffs: target/e2e.
+// serve it. With LANES=2 two are at work at any time; those that measure, or must keep a robot's time (`alone`), come after
+// all others. With AGAIN=1 those that failed are run once more at the end, and named: a flow that needs two tries counts as
+// passed, and is to be mended all the same. Ends with what failed and "N passed, N failed". Screenshots and diffs: target/e2e.
 
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
