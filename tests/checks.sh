@@ -58,8 +58,8 @@ check "release site" "trunk build --release --dist '$SITE' && test -s '$SITE/ind
 check "sizes" "node tests/e2e/sizes.mjs '$SITE'"
 # These also run the command line, which the native tests have built; the last a rosbridge of its own, too.
 check "lighthouse" "node tests/e2e/lighthouse.mjs '$SITE'"
-# Two at a time, for a flow mostly waits. One try more keeps a machine that stumbles once among so many pages from refusing a change; who needed it is told.
-check "end to end" "cargo build --example peer; LANES=2 AGAIN=1 node tests/e2e/run.mjs"
+# One try more keeps a machine that stumbles once among so many pages from refusing a change; who needed it is told.
+check "end to end" "cargo build --example peer; AGAIN=1 node tests/e2e/run.mjs"
 grep '^needed two tries' "$logs/end-to-end.log" | sed 's/^/    /'
 
 echo "$passed passed, $failed failed" | tee "$logs/total"

@@ -1,8 +1,8 @@
 // Drives the built site in Chromium: `node run.mjs [--folder flows] [WORD…]` runs the flow files of a folder
 // one after another (those whose title or file holds a WORD), under a sub-path as any static host may
-// serve it. With LANES=2 two are at work at any time; those that measure, or must keep a robot's time (`alone`), come after
-// all others. With AGAIN=1 those that failed are run once more at the end, and named: a flow that needs two tries counts as
-// passed, and is to be mended all the same. Ends with what failed and "N passed, N failed". Screenshots and diffs: target/e2e.
+// serve it. With AGAIN=1 those that failed are run once more after all others, and named: a flow that needs two tries
+// counts as passed, and is to be mended all the same. Ends with what failed and "N passed, N failed".
+// Screenshots and diffs: target/e2e.
 
 import { readdir, readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -36,7 +36,7 @@ async function run({ title, settings, body }) {
   // Files come from the server, and steps jump, which takes a rasteriser in software less time; flows about these ask
   // for more.
   const usual = { viewport: { width: 1024, height: 720 }, serviceWorkers: 'block', reducedMotion: 'reduce' };
-  const { gpu = true, seconds = SECONDS, alone: _, ...own } = settings;
+  const { gpu = true, seconds = SECONDS, ...own } = settings;
   const context = await browser.newContext({ ...usual, ...own });
   context.setDefaultTimeout(PATIENCE * 1000);
   const flow = new Flow(context, site.address);
@@ -62,37 +62,30 @@ async function run({ title, settings, body }) {
   }
 }
 
-/** Runs flows, so many at a time; returns those that failed. */
-async function runAll(some, lanes) {
+/** Runs flows one after another; returns those that failed. */
+async function runAll(some) {
   const failed = [];
-  const left = some.values();
-  const lane = async () => { for (const flow of left) await one(flow, failed); };
-  await Promise.all(Array.from({ length: lanes }, lane));
-  return failed;
-}
-
-async function one(flow, failed) {
-  const start = Date.now();
-  const { wrong, notes } = await run(flow);
-  const seconds = ((Date.now() - start) / 1000).toFixed(1);
-  console.log(`${wrong ? 'FAILED' : 'ok    '} ${flow.file}: ${flow.title} (${seconds} s)`);
-  for (const note of notes) console.log(`       ${note}`);
-  if (wrong) {
-    console.log(indented(wrong));
-    failed.push({ flow, wrong });
+  for (const flow of some) {
+    const start = Date.now();
+    const { wrong, notes } = await run(flow);
+    const seconds = ((Date.now() - start) / 1000).toFixed(1);
+    console.log(`${wrong ? 'FAILED' : 'ok    '} ${flow.file}: ${flow.title} (${seconds} s)`);
+    for (const note of notes) console.log(`       ${note}`);
+    if (wrong) {
+      console.log(indented(wrong));
+      failed.push({ flow, wrong });
+    }
   }
+  return failed;
 }
 
 const indented = (text) => text.replaceAll(/^/gm, '       ');
 
-const lanes = Number(process.env.LANES ?? 1);
-const isAlone = ({ settings }) => lanes > 1 && settings.alone === true;
-let failed = await runAll(chosen.filter((flow) => !isAlone(flow)), lanes);
-failed.push(...await runAll(chosen.filter(isAlone), 1));
+let failed = await runAll(chosen);
 if (process.env.AGAIN && failed.length > 0) {
   console.log('Those that failed, again:');
   const first = failed;
-  failed = await runAll(first.map(({ flow }) => flow), 1);
+  failed = await runAll(first.map(({ flow }) => flow));
   for (const { flow, wrong } of first) {
     if (failed.some((again) => again.flow === flow)) continue;
     console.log(`needed two tries: ${flow.file}: ${flow.title}\n${indented(wrong)}`);

@@ -27,7 +27,7 @@ function chained(sent) {
 }
 
 for (const { name, aim, latency, bits, slower } of KINDS) {
-  flow(`the first picture at ${name}`, { alone: true, viewport: { width: 390, height: 780 } }, async (t) => {
+  flow(`the first picture at ${name}`, { viewport: { width: 390, height: 780 } }, async (t) => {
     await host(t, await makeStudy(t, { asked: 1 }));
     // Whoever comes back is shown a turn at once.
     const site = await serve(process.env.SITE ?? path.join(root, 'target/site'), { under: '/packed/', packed: true });

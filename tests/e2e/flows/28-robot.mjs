@@ -46,7 +46,7 @@ async function stands(t, peer, from) {
   await t.equal(peer.velocities(from).length, told, 'it is told no more');
 }
 
-flow('a simulated robot is looked at, then drives as long as the key is held', { alone: true, seconds: 300 }, async (t) => {
+flow('a simulated robot is looked at, then drives as long as the key is held', { seconds: 300 }, async (t) => {
   const robot = await openRobot(t);
   await t.equal(() => robot.stage(), 'off', 'it is off');
   await t.check(() => robot.by('stop').isDisabled(), 'there is nothing to stop');
@@ -75,7 +75,7 @@ flow('a simulated robot is looked at, then drives as long as the key is held', {
   await t.check(async () => /Done/.test(await robot.by('stage').textContent()), () => robot.by('stage').textContent());
 });
 
-peered('what was done of a sequence is not done again behind a surprise', { alone: true, seconds: 300 }, async (t, peer) => {
+peered('what was done of a sequence is not done again behind a surprise', { seconds: 300 }, async (t, peer) => {
   const robot = await ready(t, peer);
   await robot.ask('go to the red room, then to the blue room');
   await robot.hold();
@@ -103,7 +103,7 @@ peered('what was done of a sequence is not done again behind a surprise', { alon
   await t.check(!again, 'it was in the red room once');
 });
 
-peered('a robot behind a rosbridge is calibrated by four corners and drives', { alone: true, seconds: 300 }, async (t, peer) => {
+peered('a robot behind a rosbridge is calibrated by four corners and drives', { seconds: 300 }, async (t, peer) => {
   peer.tell('origin 2 -1 0.7');
   const robot = await openRobot(t);
   await robot.link(peer);
@@ -134,7 +134,7 @@ peered('a robot behind a rosbridge is calibrated by four corners and drives', { 
   await t.check(fastest > 0.1 && fastest <= 0.18, `at most ${fastest} m/s`);
 });
 
-peered('an emergency stop by key, by button and by letting go stops it', { alone: true, seconds: 300 }, async (t, peer) => {
+peered('an emergency stop by key, by button and by letting go stops it', { seconds: 300 }, async (t, peer) => {
   const robot = await driving(t, peer);
   let from = peer.frames.length;
   await robot.page.keyboard.press('Escape');
@@ -169,7 +169,7 @@ peered('an emergency stop by key, by button and by letting go stops it', { alone
   await stands(t, peer, from);
 });
 
-peered('a cable that is pulled stops it, and nothing of before comes after', { alone: true, seconds: 300 }, async (t, peer) => {
+peered('a cable that is pulled stops it, and nothing of before comes after', { seconds: 300 }, async (t, peer) => {
   t.expect(/WebSocket/);
   const robot = await driving(t, peer);
   peer.tell('cut');
@@ -196,7 +196,7 @@ peered('a cable that is pulled stops it, and nothing of before comes after', { a
   await t.equal(() => robot.found('stops'), 'open', 'the base is to be seen to again');
 });
 
-peered('a page that is hidden or closed stops it', { alone: true, seconds: 300 }, async (t, peer) => {
+peered('a page that is hidden or closed stops it', { seconds: 300 }, async (t, peer) => {
   const robot = await driving(t, peer);
   let from = peer.frames.length;
   await robot.page.evaluate(() => {

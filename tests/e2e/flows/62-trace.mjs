@@ -59,7 +59,7 @@ function watchReadings(page) {
   });
 }
 
-flow('what the page costs its main thread', { alone: true, reducedMotion: 'no-preference' }, async (t) => {
+flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, async (t) => {
   const demo = await openPage(t, `${t.address}#talk`);
   const { page } = demo;
   // The browser makes a program faster while it runs: what comes after the first minute is told.
