@@ -18,6 +18,7 @@ KINDS = [
 
 def ask(arguments, lines=()):
     text = "\n".join(map(json.dumps, lines))
+    # Where one line cannot be planned for (the robot on an object) its answer says so, and so does the exit.
     done = subprocess.run([GROUNDLING, *arguments], input=text, capture_output=True, text=True, check=False)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
