@@ -59,6 +59,17 @@ flow('who is quicker than the model is heard all the same', async (t) => {
   await t.equal(() => t.page.getByTestId('plain').textContent(), 'I will go to the blue room.', 'what it does then');
 });
 
+flow('what was typed by itself is gone before a key comes into the box', { reducedMotion: 'no-preference' }, async (t) => {
+  const demo = await openPage(t);
+  await t.until('it types', async () => /^put/.test(await demo.by('command').inputValue()));
+  // A key's letter comes right behind its listeners, whenever the page is drawn.
+  const left = await demo.by('command').evaluate((box) => {
+    box.dispatchEvent(new KeyboardEvent('keydown', { key: 'g', bubbles: true }));
+    return box.value;
+  });
+  t.equal(left, '', 'what is left in the box');
+});
+
 flow('a key while it types by itself, and the box is the person’s', { reducedMotion: 'no-preference' }, async (t) => {
   const demo = await openPage(t);
   await t.until('it types', async () => /^put/.test(await demo.by('command').inputValue()));

@@ -20,7 +20,11 @@ pub(super) fn watch(act: &Callback<Action>) {
     // Who comes with a link, or asks for a view, knows the page already.
     if hash().is_empty() {
         act.emit(Action::Talk(talk::Action::Demo));
-        host::once_touched(act.reform(|()| Action::Talk(talk::Action::Touched)));
+        let touched = act.reform(|()| Action::Talk(talk::Action::Touched));
+        host::once_touched(Callback::from(move |()| {
+            talk::view::give_back();
+            touched.emit(());
+        }));
     }
     let act = act.clone();
     let changed = Closure::<dyn FnMut()>::new(move || read(&act));

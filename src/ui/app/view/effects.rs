@@ -4,6 +4,7 @@ use super::bench::Link;
 use crate::ui::app::action::Action;
 use crate::ui::app::state::State;
 use crate::ui::page::effect::Effect;
+use crate::ui::page::view::drawn::{Deed, Drawn};
 use crate::ui::page::view::forms::{self, Forms};
 use crate::ui::page::view::host::{self, beside};
 use crate::ui::page::view::keeper::Keeper;
@@ -30,6 +31,7 @@ pub(super) struct Effects {
     talker: Option<Engine>,
     learner: Option<Engine>,
     bench: Link,
+    drawn: Drawn,
 }
 
 impl Effects {
@@ -37,7 +39,7 @@ impl Effects {
     pub(super) fn new(act: Callback<Action>) -> Effects {
         let keeper = Keeper::new(act.reform(Action::Stored));
         let bench = Link::new(act.clone());
-        Effects { act, keeper, talker: None, learner: None, bench }
+        Effects { act, keeper, talker: None, learner: None, bench, drawn: Drawn::default() }
     }
 
     /// Brings files to the workbench.
@@ -48,6 +50,11 @@ impl Effects {
     /// Tells the workbench what has changed on the page.
     pub(super) fn keep_up(&mut self, state: &State) {
         self.bench.keep_up(state);
+    }
+
+    /// What the effects asked for is drawn.
+    pub(super) fn drawn(&mut self) {
+        self.drawn.is();
     }
 
     /// Carries effects out, in order.
@@ -116,16 +123,11 @@ impl Effects {
                 let act = self.act.clone();
                 spawn_local(async move { act.emit(Action::Copied(host::copy(&text).await)) });
             }
-            // The element may be in what is about to be drawn.
-            Effect::Focus(id) => spawn_local(async move { host::focus(id) }),
-            Effect::FocusOnDesk(id) => spawn_local(async move {
-                if host::is_desk() {
-                    host::focus(id);
-                }
-            }),
+            Effect::Focus(id) => self.drawn.then(Deed::Focus, id),
+            Effect::FocusOnDesk(id) => self.drawn.then(Deed::FocusOnDesk, id),
+            Effect::Reveal(id) => self.drawn.then(Deed::Reveal, id),
             Effect::Save { name, text } => save(&name, &text)?,
             Effect::LoadWorkbench => self.bench.load(),
-            Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
         }
         Ok(())
     }

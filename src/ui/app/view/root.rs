@@ -73,6 +73,10 @@ impl Component for App {
         }
     }
 
+    fn rendered(&mut self, _ctx: &Context<Self>, _first: bool) {
+        self.effects.drawn();
+    }
+
     fn view(&self, ctx: &Context<Self>) -> Html {
         let act: Callback<Action> = ctx.link().callback(Message::Page);
         let drag = |over: bool| {

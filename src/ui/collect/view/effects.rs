@@ -8,6 +8,7 @@ use crate::ui::collect::action::{Action, Kept, Trouble};
 use crate::ui::collect::effect::Effect;
 use crate::ui::page::keep::fault::Fault;
 use crate::ui::page::view::claim::claim;
+use crate::ui::page::view::drawn::{Deed, Drawn};
 use crate::ui::page::view::host;
 use crate::ui::page::view::journal::Journal;
 use crate::ui::page::view::packed::unpack;
@@ -34,12 +35,19 @@ pub(super) struct Effects {
     journal: Rc<RefCell<Option<Rc<Journal>>>>,
     rest: Rc<RefCell<Option<Timeout>>>,
     tick: Rc<RefCell<Option<Timeout>>>,
+    drawn: Rc<RefCell<Drawn>>,
 }
 
 impl Effects {
     /// Results go to `act`.
     pub(super) fn new(act: Callback<Action>) -> Effects {
-        Effects { act, journal: Rc::default(), rest: Rc::default(), tick: Rc::default() }
+        let (journal, rest, tick) = (Rc::default(), Rc::default(), Rc::default());
+        Effects { act, journal, rest, tick, drawn: Rc::default() }
+    }
+
+    /// What the effects asked for is drawn.
+    pub(super) fn drawn(&self) {
+        self.drawn.borrow_mut().is();
     }
 
     /// Carries effects out; those of the journal in their order.
@@ -59,7 +67,7 @@ impl Effects {
                 }
                 Effect::Submit { url, fields } => submit(&url, &fields),
                 Effect::Go(url) => leave(&url),
-                Effect::Top => spawn_local(async { host::focus("heading") }),
+                Effect::Top => self.drawn.borrow_mut().then(Deed::Focus, "heading"),
                 Effect::Speak(language) => host::set_language(language.code()),
                 Effect::Copy(text) => spawn_local(async move {
                     host::copy(&text).await;

@@ -70,6 +70,10 @@ impl Component for Collect {
         }
     }
 
+    fn rendered(&mut self, _ctx: &Context<Self>, _first: bool) {
+        self.effects.drawn();
+    }
+
     fn view(&self, ctx: &Context<Self>) -> Html {
         page(&self.state, &ctx.link().callback(Message::Act))
     }

@@ -3,6 +3,7 @@
 //! visitor loads.
 
 pub mod host;
+pub mod drawn;
 pub mod save;
 pub mod worker;
 pub mod stopped;

@@ -15,3 +15,10 @@ pub enum Demo {
     /// It is over.
     Over,
 }
+
+impl Demo {
+    /// Whether what stands in the box is the page's own.
+    pub fn is_typing(self) -> bool {
+        matches!(self, Demo::Typing(1..))
+    }
+}

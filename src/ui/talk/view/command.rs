@@ -12,14 +12,24 @@ use wasm_bindgen::JsCast;
 use web_sys::{HtmlInputElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, KeyboardEvent, TargetCast, classes, html};
 
+/// Empties the box of what the page typed by itself, at once: what was pressed comes into it before the page is drawn again.
+pub(crate) fn give_back() {
+    if let Some(input) = input().filter(|input| input.has_attribute("data-shown")) {
+        input.set_value("");
+    }
+}
+
+fn input() -> Option<HtmlInputElement> {
+    element("command")?.dyn_into().ok()
+}
+
 /// The command box.
 pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) -> Html {
     let text = Text::of(shared.language);
     let send = act.reform(|event: SubmitEvent| {
         event.prevent_default();
         // What is typed next takes its place.
-        if let Some(input) = element("command").and_then(|e| e.dyn_into::<HtmlInputElement>().ok())
-        {
+        if let Some(input) = input() {
             input.select();
         }
         Action::Ask
@@ -48,7 +58,7 @@ pub(super) fn command(state: &State, shared: &Shared, act: &Callback<Action>) ->
                 <label class="unseen" for="command">{ text.what_to_do }</label>
                 <input id="command" type="text" lang="en" autocomplete="off" autocapitalize="off"
                     spellcheck="false" enterkeyhint="send" data-testid="command" value={state.command.input.clone()}
-                    data-said={said} oninput={typed} onkeydown={recall} aria-describedby="say-hint" placeholder={text.what_to_do} />
+                    data-said={said} data-shown={state.demo.is_typing().then_some("")} oninput={typed} onkeydown={recall} aria-describedby="say-hint" placeholder={text.what_to_do} />
                 if is_asking(shared) {
                     <button type="button" class="primary" data-testid="stop"
                         onclick={sends(act, Action::StopPlanning)}>{ text.stop }</button>

@@ -24,4 +24,5 @@ mod study;
 mod proof;
 mod whole;
 
+pub(crate) use command::give_back;
 pub(crate) use whole::talk;

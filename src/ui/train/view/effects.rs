@@ -2,6 +2,7 @@
 
 use crate::study::link::{INLINE, LONGEST};
 use crate::ui::page::engine::Errand;
+use crate::ui::page::view::drawn::{Deed, Drawn};
 use crate::ui::page::view::host;
 use crate::ui::page::view::packed::pack;
 use crate::ui::page::view::save::{save, save_bytes};
@@ -26,13 +27,20 @@ pub(super) struct Effects {
     shelf: Shelf,
     /// The engines of the pool, by their seats.
     pool: Vec<Option<Engine>>,
+    drawn: Drawn,
 }
 
 impl Effects {
     /// Results go to `act`, news of the workbench to the page's `tell`.
     pub(super) fn new(act: Callback<Action>, tell: Function) -> Effects {
         let shelf = Shelf::new(act.reform(|news| Action::Kept(kept::Action::Heard(news))));
-        Effects { act, tell, learner: None, shelf, pool: Vec::new() }
+        let drawn = Drawn::default();
+        Effects { act, tell, learner: None, shelf, pool: Vec::new(), drawn }
+    }
+
+    /// What the effects asked for is drawn.
+    pub(super) fn drawn(&mut self) {
+        self.drawn.is();
     }
 
     /// Carries effects out, in order.
@@ -82,8 +90,7 @@ impl Effects {
                 let [kind, text, corpus] = news.words();
                 self.tell.call3(&JsValue::NULL, &kind.into(), &text.into(), &corpus.into())?;
             }
-            // The element may be in what is about to be drawn.
-            Effect::Reveal(id) => spawn_local(async move { host::reveal(id) }),
+            Effect::Reveal(id) => self.drawn.then(Deed::Reveal, id),
             Effect::Pack(text) => {
                 let act = self.act.clone();
                 spawn_local(async move {

@@ -89,6 +89,10 @@ impl Component for Workbench {
         }
     }
 
+    fn rendered(&mut self, _ctx: &Context<Self>, _first: bool) {
+        self.effects.drawn();
+    }
+
     fn view(&self, ctx: &Context<Self>) -> Html {
         let State { desk, shown, tab, data, run, experiments, lexicon, study, kept } = &self.state;
         if !shown {
