@@ -177,6 +177,7 @@ wasm-target:
 # Its published lock names a crate version that is not there, hence no --locked.
 $(TOOLS)/bindgen-$(BINDGEN):
 	$(call run,bindgen,Installing wasm-bindgen $(BINDGEN) under target/tools (about four minutes),\
+		CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_DEBUG=0 \
 		cargo install wasm-bindgen-cli --version $(BINDGEN) --root "$(TOOLS)")
 	touch "$@"
 
