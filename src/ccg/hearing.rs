@@ -41,7 +41,10 @@ const STATES: [&str; 16] = [
 ];
 
 /// Verbs by which a state lasts.
-const STAYS: [&str; 2] = ["stay", "remain"];
+const STAYS: [&str; 3] = ["stay", "remain", "wait"];
+
+/// Said of a place that was named before.
+const WITHIN_OR_OUT: [&str; 4] = ["in", "inside", "out", "outside"];
 
 /// Words up to when.
 const UNTIL: [&str; 2] = ["until", "till"];
@@ -128,6 +131,13 @@ impl Hearing {
             "N/N/(N/N)" if self.closed[item.start] == Some(Kind::Turns) => {
                 next.is_some_and(|word| is_determiner(model, word))
             }
+            // Behind a clause "stay out" is of where that one led.
+            "PP" if before.is_some_and(|word| STAYS.contains(&word)) => {
+                let joins = |kind: &Option<Kind>| *kind == Some(Kind::Joins);
+                next.is_none()
+                    && WITHIN_OR_OUT.contains(&&*self.words[item.start])
+                    && self.closed[..item.start].iter().any(joins)
+            }
             // "Any room" is a command by itself, but not behind a preposition: "by any room".
             "S/N" => before.is_some_and(|word| is_place_word(model, word)),
             // What comes first of what is not said is that alone.
@@ -150,7 +160,7 @@ impl Hearing {
                     && self.closed[item.end..].iter().any(is_out)
             }
             // Where one stays until something is so, one is all that time, not once.
-            "T\\T/T" if UNTIL.contains(&&*self.words[item.start]) => {
+            "T\\T/T" | "T\\(S/NP)\\NP/(S\\NP)" if UNTIL.contains(&&*self.words[item.start]) => {
                 self.words[..item.start].iter().any(|word| STAYS.contains(&&**word))
             }
             "NEG/PP" => !rest.iter().any(|word| UNTIL.contains(&&**word)),
@@ -229,16 +239,34 @@ impl Hearing {
         let joins = |at: usize| matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));
         let begins = |&at: &usize| {
             let verb = (at..self.words.len()).find(|&at| !joins(at));
-            // What is done to a thing that was named before, or beside it, belongs to that clause.
+            // What is done to a thing that was named before, or beside it, or where that one is, belongs to that clause.
             let goes_on = |verb: usize| {
-                let next = self.words[verb + 1..].iter().find(|word| !is_place_word(model, word));
-                next.is_some_and(|next| PRONOUNS.contains(&&**next))
+                let end =
+                    (verb..self.words.len()).find(|&at| joins(at)).unwrap_or(self.words.len());
+                let next = (verb + 1..end).find(|&at| !is_place_word(model, &self.words[at]));
+                match next {
+                    Some(next) if PRONOUNS.contains(&&*self.words[next]) => true,
+                    Some(_) => (verb + 1..end).any(|at| self.names_again(model, at)),
+                    None => WITHIN_OR_OUT.contains(&&*self.words[end - 1]),
+                }
             };
             joins(at)
                 && !joins(at - 1)
                 && verb.is_some_and(|verb| self.commands(model, verb) && !goes_on(verb))
         };
         (1..self.words.len()).filter(begins).fold(Clauses::ONE, Clauses::with)
+    }
+
+    /// Whether behind a preposition stands what names a place again: "it", or "the room" and no more.
+    fn names_again(&self, model: &Model, at: usize) -> bool {
+        let ends = |at: usize| self.closed.get(at).is_none_or(Option::is_some);
+        let is_named = match &*self.words[at] {
+            "the" | "that" => {
+                self.words.get(at + 1).is_some_and(|next| next == "room") && ends(at + 2)
+            }
+            word => PRONOUNS.contains(&word),
+        };
+        is_named && at > 0 && is_place_word(model, &self.words[at - 1])
     }
 
     /// Whether an imperative begins at a place, or something said of one.

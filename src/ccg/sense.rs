@@ -7,12 +7,51 @@ use crate::logic::{LogicError, Node, Sorts, TermId, Terms, ty};
 
 /// Whether somebody could mean a goal.
 pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
+    let mut rooms = Rooms::default();
+    says_something(terms, sorts, term) && !rooms.forgets(terms, term)
+}
+
+/// Which kinds of rooms a goal speaks of.
+#[derive(Default)]
+struct Rooms {
+    /// "The room", with nothing more.
+    bare: bool,
+    /// One that is told from others by more than where the robot is.
+    told: bool,
+}
+
+impl Rooms {
+    /// Whether a goal speaks of the room and of one that is told from others: that one would be meant by both ("take it to the
+    /// red room and stay out of the room").
+    fn forgets(&mut self, terms: &Terms, term: TermId) -> bool {
+        let (head, args) = match terms.node(term) {
+            Node::Constant(_) | Node::Variable(_) => return false,
+            Node::Lambda { body, .. } => return self.forgets(terms, body),
+            Node::Apply { args, .. } => (terms.head_name(term), args),
+        };
+        if let (Some("the" | "argmax" | "argmin"), &[property, ..]) = (head, args) {
+            let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
+            if parts.iter().any(|&part| terms.head_name(part) == Some("room")) {
+                let is_own = |&part: &TermId| {
+                    stands(terms, part).is_some_and(|thing| is_robot(terms, thing))
+                };
+                let is_bare = parts.len() == 1 && head == Some("the");
+                self.bare |= is_bare;
+                self.told |= !is_bare && !(parts.len() == 2 && parts.iter().any(is_own));
+            }
+        }
+        args.iter().any(|&arg| self.forgets(terms, arg)) || self.bare && self.told
+    }
+}
+
+/// Whether a goal and all its parts say something that could be meant.
+fn says_something(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
     let args = match terms.node(term) {
         Node::Constant(_) | Node::Variable(_) => return true,
-        Node::Lambda { body, .. } => return makes_sense(terms, sorts, body),
+        Node::Lambda { body, .. } => return says_something(terms, sorts, body),
         Node::Apply { args, .. } => args,
     };
-    let says_something = match (terms.head_name(term), args) {
+    let is_said = match (terms.head_name(term), args) {
         (Some("the" | "argmax" | "argmin"), &[property, ..]) => {
             body(terms, property) != Some(terms.truth())
         }
@@ -25,7 +64,7 @@ pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
         }
         _ => true,
     };
-    says_something && args.iter().all(|&arg| makes_sense(terms, sorts, arg))
+    is_said && args.iter().all(|&arg| says_something(terms, sorts, arg))
 }
 
 /// The goal with every choice between denials made their conjunction.
@@ -146,11 +185,13 @@ fn is_undone(terms: &Terms, first: TermId, next: TermId) -> bool {
     let undone = terms.arguments(next, "until").and_then(|then| then.get(1).copied());
     let denied = undone.and_then(|undone| terms.denied(undone));
     let Some(&[thing, _]) = terms.arguments(first, "in") else { return false };
-    let is_agent = |&part: &TermId| terms.head_name(part) == Some("agent");
-    let is_robot = |thing| {
-        said_of(terms, thing, "the").is_some_and(|all| matches!(&all[..], [one] if is_agent(one)))
-    };
-    denied == Some(first) && !is_robot(thing)
+    denied == Some(first) && !is_robot(terms, thing)
+}
+
+/// Whether a thing is the robot.
+fn is_robot(terms: &Terms, thing: TermId) -> bool {
+    let is_agent = |part: TermId| terms.head_name(part) == Some("agent");
+    said_of(terms, thing, "the").is_some_and(|all| matches!(all[..], [one] if is_agent(one)))
 }
 
 /// Whether something is claimed and denied, be it as one of several.

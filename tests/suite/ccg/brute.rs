@@ -38,8 +38,13 @@ impl Admitted {
 /// What a chart admits.
 pub(super) const NORMAL_FORM: Admitted = Admitted { normal_form: true, vacuous: false };
 
+/// Whether somebody could mean a goal, as far as these sentences go.
+pub(super) fn is_meant(terms: &Terms, goal: TermId) -> bool {
+    !contradicts(terms, goal) && !forgets_room(terms, goal)
+}
+
 /// Whether a conjunction claims and denies the same, which nobody means.
-pub(super) fn contradicts(terms: &Terms, both: TermId) -> bool {
+fn contradicts(terms: &Terms, both: TermId) -> bool {
     let Node::Apply { args, .. } = terms.node(both) else { return false };
     let is_denied = |&part: &TermId| match terms.node(part) {
         Node::Apply { args: &[denied], .. } => {
@@ -48,6 +53,14 @@ pub(super) fn contradicts(terms: &Terms, both: TermId) -> bool {
         _ => false,
     };
     terms.head_name(both) == Some("and") && args.iter().any(is_denied)
+}
+
+/// Whether a goal speaks of "the room" and nothing more beside a room that is told from others, which nobody means.
+fn forgets_room(terms: &Terms, goal: TermId) -> bool {
+    let text = print(terms, goal);
+    let bare = |depth: u32| format!("(the:<<e,t>,e> (lambda ${depth}:e (room:<e,t> ${depth})))");
+    let n_bare: usize = (0..9).map(|depth| text.matches(&bare(depth)).count()).sum();
+    n_bare > 0 && text.matches("(room:<e,t> $").count() > n_bare
 }
 
 /// The goals of a sentence that is one command.
@@ -61,7 +74,7 @@ pub(super) fn commands(
     let found = found.filter(|found| model.grammar.syntaxes.is(found.category.syntax, Atom::S));
     let mut goals: Vec<TermId> = found
         .map(|found| found.category.meaning)
-        .filter(|&goal| !contradicts(&model.grammar.terms, goal))
+        .filter(|&goal| is_meant(&model.grammar.terms, goal))
         .collect();
     goals.sort_unstable();
     goals.dedup();
@@ -85,7 +98,7 @@ pub(super) fn goals(
     for found in derive(model, lexical, (0, n_words), admitted) {
         let Category { syntax, meaning } = found.category;
         let terms = &model.grammar.terms;
-        if syntax.is_sentence() && terms.ty(meaning) == ty::TRUTH && !contradicts(terms, meaning) {
+        if syntax.is_sentence() && terms.ty(meaning) == ty::TRUTH && is_meant(terms, meaning) {
             let root = root_features(&model.grammar.terms, &model.grammar.sorts, meaning);
             let score = root.iter().fold(found.score, |sum, &f| sum + model.features.value(f));
             let known = best.entry(print(&model.grammar.terms, meaning)).or_insert(score);

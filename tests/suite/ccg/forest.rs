@@ -130,6 +130,9 @@ proptest! {
     fn joined_clauses_mean_what_each_means(
         commands in prop::collection::vec(clauses(), 2..=3),
     ) {
+        // Behind another clause "the room", or "in" alone, may be of what was named there: that is not read by clause.
+        let names_again = |command: &str| command.contains("the room") || command.ends_with(" in");
+        prop_assume!(commands.iter().skip(1).all(|command| !names_again(command)));
         let mut model = joining();
         let (mut wanted, mut most) = (vec![None], 0);
         for command in &commands {
@@ -145,7 +148,7 @@ proptest! {
                     let goals: Vec<TermId> = before.iter().copied().chain([goal]).collect();
                     let both = terms.conjoin(&goals).unwrap();
                     // What adds nothing to what was said, or takes it back, is no reading.
-                    if *before != Some(both) && !brute::contradicts(terms, both) {
+                    if *before != Some(both) && brute::is_meant(terms, both) {
                         joined.push(Some(both));
                     }
                 }
