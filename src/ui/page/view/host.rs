@@ -170,14 +170,14 @@ pub(crate) fn next_frame(callback: impl FnOnce() + 'static) {
     }
 }
 
-/// Calls back at the first key or touch.
+/// Calls back at the first key or touch, or before the first text from elsewhere (dictation, a program that helps).
 pub(crate) fn once_touched(touched: Callback<()>) {
     let Some(window) = web_sys::window() else { return };
     let listener: Closure<dyn FnMut()> = Closure::new(move || touched.emit(()));
     let options = AddEventListenerOptions::new();
     options.set_capture(true);
     options.set_once(true);
-    for event in ["keydown", "pointerdown"] {
+    for event in ["keydown", "pointerdown", "beforeinput"] {
         let called = listener.as_ref().unchecked_ref();
         // A window that takes no listener is never touched.
         let _ = window.add_event_listener_with_callback_and_add_event_listener_options(
