@@ -14,7 +14,10 @@ export const PATIENCE = 60;
 /** The flows declared so far. */
 export const flows = [];
 
-/** Declares a flow; `settings` are those of a browser context (viewport, reducedMotion …), `gpu: false` for one without, `seconds` for one that takes long. */
+/**
+ * Declares a flow; `settings` are those of a browser context (viewport, reducedMotion …), `gpu: true` for a browser that
+ * seems to have one, `seconds` for one that takes long.
+ */
 export function flow(title, settings, body) {
   flows.push(body ? { title, settings, body } : { title, settings: {}, body: settings });
 }

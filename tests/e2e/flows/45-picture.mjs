@@ -6,7 +6,7 @@ import { colours } from '../golden.mjs';
 import { openPage } from '../page.mjs';
 
 /** Things glide from step to step. */
-const GLIDING = { reducedMotion: 'no-preference' };
+const GLIDING = { gpu: true, reducedMotion: 'no-preference' };
 
 /** Waits until the stage is drawn this way. */
 async function drawnBy(demo, backend) {
@@ -25,7 +25,7 @@ async function goesToTheBlueRoom(demo) {
 const lose = (demo) => demo.by('stage').locator('canvas').evaluate((canvas) =>
   canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext());
 
-flow('the picture is the golden one at the start, with values and policy, and where a phrase is pointed at', async (t) => {
+flow('the picture is the golden one at the start, with values and policy, and where a phrase is pointed at', { gpu: true }, async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
   const stage = demo.by('stage');
@@ -42,14 +42,14 @@ flow('the picture is the golden one at the start, with values and policy, and wh
   await t.golden('referent', stage);
 });
 
-flow('the picture is the golden one in the dark', { colorScheme: 'dark' }, async (t) => {
+flow('the picture is the golden one in the dark', { gpu: true, colorScheme: 'dark' }, async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
   await t.golden('dark', demo.by('stage'));
 });
 
 for (const ratio of [1, 1.5, 3]) {
-  flow(`the picture is crisp at ${ratio} device pixels a pixel`, { deviceScaleFactor: ratio }, async (t) => {
+  flow(`the picture is crisp at ${ratio} device pixels a pixel`, { gpu: true, deviceScaleFactor: ratio }, async (t) => {
     const demo = await openPage(t);
     await drawnBy(demo, 'webgl2');
     const widths = () => demo.by('stage').locator('canvas').evaluate((canvas) =>
@@ -66,7 +66,7 @@ flow('steps glide', GLIDING, async (t) => {
   await t.check(seen.includes('false'), `the picture moves between steps: ${seen}`);
 });
 
-flow('steps jump for who prefers less motion', async (t) => {
+flow('steps jump for who prefers less motion', { gpu: true }, async (t) => {
   const demo = await openPage(t);
   await drawnBy(demo, 'webgl2');
   const seen = await stillness(demo);
@@ -105,7 +105,7 @@ flow('a GPU that goes away while the robot moves is replaced, and in the end don
   await t.shot('no-gpu');
 });
 
-flow('a browser without a GPU is drawn for by the page itself', async (t) => {
+flow('a browser without a GPU is drawn for by the page itself', { gpu: true }, async (t) => {
   await t.context.addInitScript(() => {
     const original = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function getContext(kind, ...rest) {
@@ -118,7 +118,7 @@ flow('a browser without a GPU is drawn for by the page itself', async (t) => {
   await goesToTheBlueRoom(demo);
 });
 
-flow('the page works when its renderer does not come', async (t) => {
+flow('the page works when its renderer does not come', { gpu: true }, async (t) => {
   await t.context.route(/renderer[^/]*\.wasm/, (route) => route.abort());
   const demo = await openPage(t);
   t.expect(/renderer|Failed to (fetch|load)|ERR_FAILED/);

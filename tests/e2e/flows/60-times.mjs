@@ -24,7 +24,7 @@ function taken(page, press, awaited, words = '') {
   }), [press, awaited, words]);
 }
 
-flow('times', async (t) => {
+flow('times', { gpu: true }, async (t) => {
   const demo = await openPage(t);
   const [loaded, bytes] = await demo.page.evaluate(() => {
     const resources = performance.getEntriesByType('resource');
@@ -74,7 +74,7 @@ async function answers(page, requests) {
   return all.map(({ taken, said }) => ({ taken, said: decode(said) }));
 }
 
-flow('times of planning', async (t) => {
+flow('times of planning', { gpu: true }, async (t) => {
   const text = await readFile(path.join(root, 'tests/benches/worlds/nine.json'), 'utf8');
   const world = (objects, lock) => {
     const state = JSON.parse(text);

@@ -59,7 +59,7 @@ function watchReadings(page) {
   });
 }
 
-flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, async (t) => {
+flow('what the page costs its main thread', { gpu: true, reducedMotion: 'no-preference' }, async (t) => {
   const demo = await openPage(t, `${t.address}#talk`);
   const { page } = demo;
   // The browser makes a program faster while it runs: what comes after the first minute is told.
@@ -109,7 +109,7 @@ flow('what the page costs its main thread', { reducedMotion: 'no-preference' }, 
   t.note(`playing: ${cpu(playing.tasks).toFixed(0)} ms of CPU in all; ${told(playing)}`);
 });
 
-flow('a command leaves no element behind', async (t) => {
+flow('a command leaves no element behind', { gpu: true }, async (t) => {
   const demo = await openPage(t);
   const around = async () => {
     for (const room of ['blue', 'red', 'green']) {

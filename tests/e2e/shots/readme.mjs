@@ -20,14 +20,14 @@ async function seek(demo, step) {
   await demo.page.waitForTimeout(1000);
 }
 
-flow('say', { viewport: { width: 1280, height: 800 } }, async (t) => {
+flow('say', { gpu: true, viewport: { width: 1280, height: 800 } }, async (t) => {
   const demo = await openPage(t);
   await demo.ask(COMMAND);
   await seek(demo, 5);
   await demo.page.screenshot({ path: file('page') });
 });
 
-flow('study, in the dark', { viewport: { width: 1280, height: 1000 }, colorScheme: 'dark' }, async (t) => {
+flow('study, in the dark', { gpu: true, viewport: { width: 1280, height: 1000 }, colorScheme: 'dark' }, async (t) => {
   const demo = await openPage(t);
   await demo.deepen('study');
   await demo.ask('take the block to the green room');
@@ -39,14 +39,14 @@ flow('study, in the dark', { viewport: { width: 1280, height: 1000 }, colorSchem
   await demo.by('study').screenshot({ path: file('page-study') });
 });
 
-flow('a phone', { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true }, async (t) => {
+flow('a phone', { gpu: true, viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, isMobile: true, hasTouch: true }, async (t) => {
   const demo = await openPage(t);
   await demo.ask(COMMAND);
   await seek(demo, 5);
   await demo.page.screenshot({ path: file('page-phone') });
 });
 
-flow('the picture for who shares the address', { viewport: { width: 1200, height: 630 } }, async (t) => {
+flow('the picture for who shares the address', { gpu: true, viewport: { width: 1200, height: 630 } }, async (t) => {
   const demo = await openPage(t);
   await demo.ask(COMMAND);
   await seek(demo, 5);

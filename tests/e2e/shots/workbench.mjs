@@ -13,7 +13,7 @@ const OWN = csv(...WAYS.flatMap((way) => rows.slice(1).map(
   (row) => (way === 'go' ? row : row.replace(/"(?:go|walk) ([^"]*)"(?=,[^,]*,[^,]*$)/, `"${way} $1"`)),
 )));
 
-flow('the workbench, step by step', { viewport: { width: 1280, height: 860 } }, async (t) => {
+flow('the workbench, step by step', { gpu: true, viewport: { width: 1280, height: 860 } }, async (t) => {
   const demo = await openTrain(t);
   const take = async (name) => {
     await demo.redrawn();
