@@ -37,7 +37,8 @@ impl Rooms {
                 };
                 let is_bare = parts.len() == 1 && head == Some("the");
                 self.bare |= is_bare;
-                self.told |= !is_bare && !(parts.len() == 2 && parts.iter().any(is_own));
+                let is_here = parts.len() == 2 && parts.iter().any(is_own);
+                self.told |= !(is_bare || is_here);
             }
         }
         args.iter().any(|&arg| self.forgets(terms, arg)) || self.bare && self.told
