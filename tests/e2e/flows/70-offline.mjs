@@ -10,7 +10,7 @@ import { serve } from '../server.mjs';
 
 const built = process.env.SITE ?? path.join(root, 'target/site');
 
-flow('the page works offline after one visit', { serviceWorkers: 'allow' }, async (t) => {
+flow('the page works offline after one visit', { gpu: true, serviceWorkers: 'allow' }, async (t) => {
   const site = await serve(built, { under: '/below/' });
   const demo = await openPage(t, site.address);
   const stores = await demo.page.evaluate(async () => {
