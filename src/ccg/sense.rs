@@ -8,7 +8,7 @@ use crate::logic::{LogicError, Node, Sorts, TermId, Terms, ty};
 /// Whether somebody could mean a goal.
 pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
     let mut rooms = Rooms::default();
-    says_something(terms, sorts, term) && !rooms.forgets(terms, term)
+    says_something(terms, sorts, &mut rooms, term) && !rooms.are_one()
 }
 
 /// Which kinds of rooms a goal speaks of.
@@ -21,40 +21,38 @@ struct Rooms {
 }
 
 impl Rooms {
+    /// Adds what a phrase speaks of, given all that it says of it.
+    fn see(&mut self, terms: &Terms, phrase: &str, parts: &[TermId]) {
+        if !parts.iter().any(|&part| terms.head_name(part) == Some("room")) {
+            return;
+        }
+        let is_own =
+            |&part: &TermId| stands(terms, part).is_some_and(|thing| is_robot(terms, thing));
+        let is_bare = parts.len() == 1 && phrase == "the";
+        let is_here = parts.len() == 2 && parts.iter().any(is_own);
+        self.bare |= is_bare;
+        self.told |= !(is_bare || is_here);
+    }
+
     /// Whether a goal speaks of the room and of one that is told from others: that one would be meant by both ("take it to the
     /// red room and stay out of the room").
-    fn forgets(&mut self, terms: &Terms, term: TermId) -> bool {
-        let (head, args) = match terms.node(term) {
-            Node::Constant(_) | Node::Variable(_) => return false,
-            Node::Lambda { body, .. } => return self.forgets(terms, body),
-            Node::Apply { args, .. } => (terms.head_name(term), args),
-        };
-        if let (Some("the" | "argmax" | "argmin"), &[property, ..]) = (head, args) {
-            let parts = body(terms, property).map_or(Vec::new(), |body| conjuncts(terms, body));
-            if parts.iter().any(|&part| terms.head_name(part) == Some("room")) {
-                let is_own = |&part: &TermId| {
-                    stands(terms, part).is_some_and(|thing| is_robot(terms, thing))
-                };
-                let is_bare = parts.len() == 1 && head == Some("the");
-                self.bare |= is_bare;
-                let is_here = parts.len() == 2 && parts.iter().any(is_own);
-                self.told |= !(is_bare || is_here);
-            }
-        }
-        args.iter().any(|&arg| self.forgets(terms, arg)) || self.bare && self.told
+    fn are_one(&self) -> bool {
+        self.bare && self.told
     }
 }
 
-/// Whether a goal and all its parts say something that could be meant.
-fn says_something(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
+/// Whether a goal and all its parts say something that could be meant; the rooms that it speaks of are noted.
+fn says_something(terms: &Terms, sorts: &Sorts, rooms: &mut Rooms, term: TermId) -> bool {
     let args = match terms.node(term) {
         Node::Constant(_) | Node::Variable(_) => return true,
-        Node::Lambda { body, .. } => return says_something(terms, sorts, body),
+        Node::Lambda { body, .. } => return says_something(terms, sorts, rooms, body),
         Node::Apply { args, .. } => args,
     };
     let is_said = match (terms.head_name(term), args) {
-        (Some("the" | "argmax" | "argmin"), &[property, ..]) => {
-            body(terms, property) != Some(terms.truth())
+        (Some(phrase @ ("the" | "argmax" | "argmin")), &[property, ..]) => {
+            let body = body(terms, property);
+            rooms.see(terms, phrase, &body.map_or(Vec::new(), |body| conjuncts(terms, body)));
+            body != Some(terms.truth())
         }
         (Some("not"), &[denied]) => !is_everywhere(terms, denied) && !is_narrow(terms, denied),
         (Some("in"), &[_, place]) => !is_door(terms, place),
@@ -65,7 +63,7 @@ fn says_something(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
         }
         _ => true,
     };
-    is_said && args.iter().all(|&arg| says_something(terms, sorts, arg))
+    is_said && args.iter().all(|&arg| says_something(terms, sorts, rooms, arg))
 }
 
 /// The goal with every choice between denials made their conjunction.
