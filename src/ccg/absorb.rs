@@ -3,15 +3,17 @@
 //! that no entry calls empty is the same at a price. There is one way to absorb a word, so readings do not multiply.
 //! A closed word never goes without meaning; nor, behind one that turns round, does what it may speak of.
 
+use super::anaphora::is_pronoun;
 use super::chart::Lexical;
 use super::closed::{Kind, closed};
 use super::features::Feature;
-use super::lexicon::{EntryId, Origin};
+use super::lexicon::EntryId;
 use super::model::Model;
-use super::syntax::{Atom, SyntaxId, Syntaxes};
+use super::word_kind::{
+    begins_phrase, brings_thing, is, is_noun, is_place_word, is_preposition, is_verb_word,
+    takes_place, takes_thing,
+};
 
-/// What stands for a thing that was named before.
-pub(super) const PRONOUNS: [&str; 2] = ["it", "them"];
 /// Before a pronoun these often say nothing: "the room with the chair in it".
 const WITHIN: [&str; 6] = ["in", "into", "inside", "within", "with", "of"];
 
@@ -53,27 +55,26 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     let is_thing = |at: usize| {
         let is_done_to = || (1..first_noun).contains(&at) && is(model, &words[at - 1], takes_thing);
         let is_in_condition = || at > orders && is(model, &words[at - 1], is_preposition);
-        PRONOUNS.contains(&&*words[at]) && (is_done_to() || is_in_condition())
+        is_pronoun(&words[at]) && (is_done_to() || is_in_condition())
     };
     // What is denied first is said, where another clause begins behind it ("don't go there, go to the blue room").
     let is_denied = |at: usize| {
         !clauses.is_empty()
             && at > 0
             && closed[at - 1] == Some(Kind::Turns)
-            && is(model, &words[at], is_verb)
+            && is_verb_word(model, &words[at])
     };
     let turns = |at: usize| closed[at] == Some(Kind::Turns);
-    let is_pronoun = |at: usize| PRONOUNS.contains(&&*words[at]);
     let is_left = |at: usize| {
         let is_behind = at > 1 && matches!(&*words[at - 1], "of" | "from") && turns(at - 2);
-        is_behind && (is_pronoun(at) || words[at] == "there")
+        is_behind && (is_pronoun(&words[at]) || words[at] == "there")
     };
     // Beside what one is to be in a clause that is joined: where its place begins, and the pronoun behind it.
     let joined = closed.iter().position(|&kind| kind == Some(Kind::Joins)).unwrap_or(words.len());
     let is_place = |at: usize| at > joined && is_place_word(model, &words[at]);
     let beside = (joined + 1..words.len()).find_map(|end| {
         let start = (0..end).rev().take_while(|&at| is_place(at)).last()?;
-        (is_pronoun(end) && !WITHIN.contains(&&*words[end - 1])).then_some((start, end))
+        (is_pronoun(&words[end]) && !WITHIN.contains(&&*words[end - 1])).then_some((start, end))
     });
     let is_beside = |at: usize| {
         let goes = || is(model, &words[at], takes_place) && is_place_word(model, &words[at + 1]);
@@ -86,7 +87,7 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     // "Bring it there and stay out of it" does not say "and be out of it in the end".
     let stays = |at: usize| matches!(&*words[at], "stay" | "keep" | "remain");
     let stays_out = |at: usize| at > joined && stays(at) && at + 3 < words.len() && is_left(at + 3);
-    let is_turned_one = |at: usize| at > 0 && turns(at - 1) && is_pronoun(at);
+    let is_turned_one = |at: usize| at > 0 && turns(at - 1) && is_pronoun(&words[at]);
     // What was done in the clause before is done first: "go to the blue room and get out of it".
     let joins = |&at: &usize| matches!(closed[at], Some(Kind::Joins | Kind::Orders));
     let left = (0..words.len()).find(|&at| is_left(at)).unwrap_or(0);
@@ -96,7 +97,7 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
             let next = &words[at + 1];
             begins_phrase(model, next) || is(model, next, is_preposition)
         };
-        at + 1 < before && is(model, &words[at], is_verb) && has_more()
+        at + 1 < before && is_verb_word(model, &words[at]) && has_more()
     };
     let is_strict = closed.iter().any(|kind| kind.is_some_and(|kind| kind != Kind::Joins));
     let brings = |at: usize| {
@@ -104,7 +105,7 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
             && is(model, &words[at], brings_thing)
             && !is(model, &words[at], takes_place)
             && words.get(at + 1).is_some_and(|next| begins_phrase(model, next))
-            && !words[at + 1..].iter().any(|word| PRONOUNS.contains(&&**word))
+            && !words[at + 1..].iter().any(|word| is_pronoun(word))
     };
     let speaks = |at: usize| {
         let goes_on = || is_turned(at) || is_thing(at) || is_denied(at);
@@ -130,98 +131,10 @@ pub(super) fn clauses_behind(
     let turns = |kind: &Option<Kind>| matches!(kind, Some(Kind::Turns | Kind::Orders));
     let Some(turn) = closed.iter().position(turns) else { return Vec::new() };
     let own = is(model, &words[turn], takes_thing).then_some(turn);
-    let behind = (turn + 1..words.len()).filter(|&at| is(model, &words[at], is_verb));
+    let behind = (turn + 1..words.len()).filter(|&at| is_verb_word(model, &words[at]));
     let verbs: Vec<usize> = own.into_iter().chain(behind).collect();
     let begins = verbs.windows(2).filter(|pair| pair[0] + 1 < pair[1]);
     begins.map(|pair| pair[1]).collect()
-}
-
-/// Whether the seed has the word in a syntactic category of a kind.
-fn is(model: &Model, word: &str, kind: fn(&Syntaxes, SyntaxId) -> bool) -> bool {
-    model.lexicon.entries_for_word(word).iter().any(|&entry| {
-        let syntax = model.lexicon.category(entry).syntax;
-        model.lexicon.origin(entry) == Origin::Seed && kind(&model.grammar.syntaxes, syntax)
-    })
-}
-
-fn is_noun(all: &Syntaxes, syntax: SyntaxId) -> bool {
-    all.is(syntax, Atom::N)
-}
-
-/// `S/PP`, `S/NP` and what takes more.
-fn is_verb(all: &Syntaxes, syntax: SyntaxId) -> bool {
-    let Some((result, argument)) = all.forward(syntax) else { return false };
-    let takes = all.is(argument, Atom::NP) || all.is(argument, Atom::PP);
-    takes && (all.is(result, Atom::S) || is_verb(all, result))
-}
-
-/// `S/NP`, `S/PP/NP`: what is done to a thing.
-fn takes_thing(all: &Syntaxes, syntax: SyntaxId) -> bool {
-    let takes = all.forward(syntax).is_some_and(|(_, argument)| all.is(argument, Atom::NP));
-    takes && is_verb(all, syntax)
-}
-
-/// Whether a noun begins with the word, or what describes one, or with a determiner: no verb and no preposition.
-pub(super) fn begins_phrase(model: &Model, word: &str) -> bool {
-    let is_determiner = |all: &Syntaxes, syntax: SyntaxId| {
-        let parts = all.forward(syntax);
-        parts.is_some_and(|(result, argument)| {
-            all.is(argument, Atom::N) && (all.is(result, Atom::NP) || all.is(result, Atom::N))
-        })
-    };
-    let is_phrase = is(model, word, is_determiner) || is(model, word, is_noun);
-    is_phrase && !is(model, word, is_verb) && !is(model, word, is_preposition)
-}
-
-/// Whether what describes a noun begins with the word.
-pub(super) fn is_adjective(model: &Model, word: &str) -> bool {
-    is(model, word, |all, syntax| {
-        all.forward(syntax)
-            .is_some_and(|parts| [parts.0, parts.1].into_iter().all(|part| all.is(part, Atom::N)))
-    })
-}
-
-/// Whether the word is a noun and does not describe others.
-pub(super) fn is_bare_noun(model: &Model, word: &str) -> bool {
-    is(model, word, is_noun) && !is_adjective(model, word)
-}
-
-/// Whether a place follows the word, or the word is one.
-pub(super) fn is_place_word(model: &Model, word: &str) -> bool {
-    is(model, word, is_preposition) || is(model, word, |all, syntax| all.is(syntax, Atom::PP))
-}
-
-/// Whether the word brings a thing somewhere.
-pub(super) fn moves(model: &Model, word: &str) -> bool {
-    is(model, word, brings_thing)
-}
-
-/// `S/PP/NP`.
-fn brings_thing(all: &Syntaxes, syntax: SyntaxId) -> bool {
-    let rest = all.forward(syntax).filter(|&(_, argument)| all.is(argument, Atom::NP));
-    rest.is_some_and(|(rest, _)| takes_place(all, rest))
-}
-
-/// `S/PP`: what the robot does alone.
-fn takes_place(all: &Syntaxes, syntax: SyntaxId) -> bool {
-    let parts = all.forward(syntax);
-    parts.is_some_and(|(result, place)| all.is(result, Atom::S) && all.is(place, Atom::PP))
-}
-
-/// Whether the word is one with which a clause begins: what one does.
-pub(super) fn is_verb_word(model: &Model, word: &str) -> bool {
-    is(model, word, is_verb)
-}
-
-/// Whether the word can only begin a noun phrase: no noun, and nothing that describes one.
-pub(super) fn is_determiner(model: &Model, word: &str) -> bool {
-    begins_phrase(model, word) && !is(model, word, is_noun) && !is_adjective(model, word)
-}
-
-/// `PP/NP`.
-fn is_preposition(all: &Syntaxes, syntax: SyntaxId) -> bool {
-    let parts = all.forward(syntax);
-    parts.is_some_and(|(result, argument)| all.is(result, Atom::PP) && all.is(argument, Atom::NP))
 }
 
 /// What it adds to a score to leave each word without meaning, by the entry given for that if there is one; `None`

@@ -2,10 +2,8 @@
 //! that the lexicon does not know as those that a general resource has them near, at a price. What was learned of a word
 //! goes before both.
 
-use super::absorb::{
-    PRONOUNS, begins_phrase, empty_entries, is_adjective, is_bare_noun, is_determiner,
-    is_place_word, is_verb_word, moves,
-};
+use super::absorb::empty_entries;
+use super::anaphora::{is_pronoun, is_within_or_out, names_place};
 use super::category::Category;
 use super::chart::Lexical;
 use super::clauses::Clauses;
@@ -17,6 +15,10 @@ use super::lookup::lexical_items;
 use super::model::Model;
 use super::spelling::heard;
 use super::syntax::{Atom, SyntaxId};
+use super::word_kind::{
+    begins_phrase, brings_thing, is, is_adjective, is_bare_noun, is_determiner, is_place_word,
+    is_verb_word,
+};
 use crate::logic::read;
 use std::sync::Arc;
 
@@ -42,9 +44,6 @@ const STATES: [&str; 16] = [
 
 /// Verbs by which a state lasts.
 const STAYS: [&str; 3] = ["stay", "remain", "wait"];
-
-/// Said of a place that was named before.
-const WITHIN_OR_OUT: [&str; 4] = ["in", "inside", "out", "outside"];
 
 /// Words up to when.
 const UNTIL: [&str; 2] = ["until", "till"];
@@ -135,7 +134,7 @@ impl Hearing {
             "PP" if before.is_some_and(|word| STAYS.contains(&word)) => {
                 let joins = |kind: &Option<Kind>| *kind == Some(Kind::Joins);
                 next.is_none()
-                    && WITHIN_OR_OUT.contains(&&*self.words[item.start])
+                    && is_within_or_out(&self.words[item.start])
                     && self.closed[..item.start].iter().any(joins)
             }
             // "Any room" is a command by itself, but not behind a preposition: "by any room".
@@ -207,7 +206,7 @@ impl Hearing {
     fn moves_thing(&self, model: &Model, at: usize) -> bool {
         self.words[..at]
             .windows(2)
-            .any(|pair| moves(model, &pair[0]) && !is_place_word(model, &pair[1]))
+            .any(|pair| is(model, &pair[0], brings_thing) && !is_place_word(model, &pair[1]))
     }
 
     /// Whether a phrase cannot begin at a place: a noun stands there, and before it what describes it.
@@ -239,34 +238,24 @@ impl Hearing {
         let joins = |at: usize| matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));
         let begins = |&at: &usize| {
             let verb = (at..self.words.len()).find(|&at| !joins(at));
-            // What is done to a thing that was named before, or beside it, or where that one is, belongs to that clause.
-            let goes_on = |verb: usize| {
-                let end =
-                    (verb..self.words.len()).find(|&at| joins(at)).unwrap_or(self.words.len());
-                let next = (verb + 1..end).find(|&at| !is_place_word(model, &self.words[at]));
-                match next {
-                    Some(next) if PRONOUNS.contains(&&*self.words[next]) => true,
-                    Some(_) => (verb + 1..end).any(|at| self.names_again(model, at)),
-                    None => WITHIN_OR_OUT.contains(&&*self.words[end - 1]),
-                }
-            };
             joins(at)
                 && !joins(at - 1)
-                && verb.is_some_and(|verb| self.commands(model, verb) && !goes_on(verb))
+                && verb
+                    .is_some_and(|verb| self.commands(model, verb) && !self.looks_back(model, verb))
         };
         (1..self.words.len()).filter(begins).fold(Clauses::ONE, Clauses::with)
     }
 
-    /// Whether behind a preposition stands what names a place again: "it", or "the room" and no more.
-    fn names_again(&self, model: &Model, at: usize) -> bool {
-        let ends = |at: usize| self.closed.get(at).is_none_or(Option::is_some);
-        let is_named = match &*self.words[at] {
-            "the" | "that" => {
-                self.words.get(at + 1).is_some_and(|next| next == "room") && ends(at + 2)
-            }
-            word => PRONOUNS.contains(&word),
-        };
-        is_named && at > 0 && is_place_word(model, &self.words[at - 1])
+    /// Whether a verb is done to a thing that was named before, or beside it, or where that one is: it belongs to that clause.
+    fn looks_back(&self, model: &Model, verb: usize) -> bool {
+        let joins = |&at: &usize| matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));
+        let end = (verb..self.words.len()).find(joins).unwrap_or(self.words.len());
+        let next = (verb + 1..end).find(|&at| !is_place_word(model, &self.words[at]));
+        let names = |at: usize| names_place(model, &self.words, &self.closed, at);
+        match next {
+            Some(next) => is_pronoun(&self.words[next]) || (verb + 1..end).any(names),
+            None => is_within_or_out(&self.words[end - 1]),
+        }
     }
 
     /// Whether an imperative begins at a place, or something said of one.

@@ -17,6 +17,8 @@ pub mod model;
 mod reach;
 mod filling;
 pub mod chart;
+mod word_kind;
+mod anaphora;
 pub mod absorb;
 pub mod lookup;
 mod spelling;

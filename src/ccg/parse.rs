@@ -2,7 +2,7 @@
 //! skips words or throws meanings away, and says which; when there is no single answer, why. No reading is silent about a
 //! closed word: what can be read only without one is no answer.
 
-use super::absorb::{Leniency, absorbing, absorption, clauses_behind, is_place_word, is_verb_word};
+use super::absorb::{Leniency, absorbing, absorption, clauses_behind};
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Edge, Lexical};
 use super::clauses::Clauses;
@@ -17,6 +17,7 @@ use super::model::Model;
 use super::sense::makes_sense;
 use super::sentence::{is_too_long, words};
 use super::syntax::SyntaxId;
+use super::word_kind::{is_place_word, is_verb_word};
 use crate::logic::order::{sort_by, sort_by_key};
 use crate::logic::{TermId, Terms, TyId, ty};
 use indexmap::IndexMap;
