@@ -93,11 +93,56 @@ export class Robot extends Opened {
     return this.page.keyboard.up('Space');
   }
 
+  /**
+   * Waits for something while the key is held. Where a machine is so busy that no pose comes for half a second, the page
+   * stops, as it should: who has looked lets it go on.
+   */
+  underway(what, test, seconds = PATIENCE) {
+    return this.t.until(what, async () => {
+      if (await test()) return true;
+      if (await this.hasHeardNothing()) await this.goOn();
+      return false;
+    }, seconds);
+  }
+
+  async hasHeardNothing() {
+    return (await this.stage()) === 'halted' && /No pose came/.test(await this.by('stage').textContent());
+  }
+
+  /** Lets it go on that has stopped, as it was before: seen to stop by itself, or driving. */
+  async goOn() {
+    await this.letGo();
+    await this.press('release');
+    await this.finds('placed', 'good');
+    if (await this.found('stops') === 'good') {
+      await this.press('arm');
+      await this.at('ready');
+    } else {
+      await this.press('try');
+    }
+    await this.hold();
+  }
+
+  /** Holds the key until it drives. */
+  async drive() {
+    await this.hold();
+    await this.underway('it is driving', async () => (await this.stage()) === 'driving');
+  }
+
   /** The base is seen to stop by itself, and driving is allowed. */
   async arm() {
     await this.press('try');
     await this.hold();
-    await this.finds('stops', 'good');
+    await this.underway('it stops by itself', async () => {
+      if (await this.found('stops') === 'good') return true;
+      // Where too little was seen of it, it is tried again.
+      if (await this.stage() === 'off') {
+        await this.letGo();
+        await this.press('try');
+        await this.hold();
+      }
+      return false;
+    }, 120);
     await this.letGo();
     await this.press('arm');
     await this.at('ready');

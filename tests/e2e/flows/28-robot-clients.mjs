@@ -61,7 +61,7 @@ flow('roslib and the page send the same frames, and each reads the other’s', a
     await robot.finds('placed', 'good');
     await robot.press('try');
     await robot.hold();
-    await t.until('it is turned, as roslib sees it', () => heard.some(({ twist }) => twist.angular.z === 0.5));
+    await robot.underway('it is turned, as roslib sees it', () => heard.some(({ twist }) => twist.angular.z === 0.5));
     clearInterval(shown);
     await robot.at('halted');
     await t.equal(() => heard.slice(-3).map(({ twist }) => [twist.linear.x, twist.angular.z]), [[0, 0], [0, 0], [0, 0]], 'and stopped');

@@ -30,9 +30,8 @@ async function ready(t, peer) {
 async function driving(t, peer) {
   const robot = await ready(t, peer);
   await robot.ask('go to the blue room');
-  await robot.hold();
-  await robot.at('driving');
-  await t.until('the base moves', async () => (await peer.report()).linear > 0.1);
+  await robot.drive();
+  await robot.underway('the base moves', async () => (await peer.report()).linear > 0.1);
   return robot;
 }
 
@@ -61,15 +60,14 @@ flow('a simulated robot is looked at, then drives as long as the key is held', {
   await robot.press('rehearse');
   await robot.by('rehearsed').waitFor();
   await t.check(async () => /took \d+ seconds/.test(await robot.by('rehearsed').textContent()), () => robot.by('rehearsed').textContent());
-  await robot.hold();
-  await robot.at('driving');
+  await robot.drive();
   await t.shot('robot-driving');
   await t.accessible('the page while it drives');
   await robot.letGo();
   await robot.at('ready');
   const [x] = await robot.place();
   await robot.hold();
-  await t.until('it is there', async () => (await robot.stage()) === 'ready' && (await robot.place())[0] < 3.4, 200);
+  await robot.underway('it is there', async () => (await robot.stage()) === 'ready' && (await robot.place())[0] < 3.4, 200);
   await robot.letGo();
   await t.check(x > 3.4, 'it stood on the way');
   await t.check(async () => /Done/.test(await robot.by('stage').textContent()), () => robot.by('stage').textContent());
@@ -83,8 +81,8 @@ peered('what was done of a sequence is not done again behind a surprise', { seco
     const { agent: [column, row] } = await peer.report();
     return column > 4 && row > 4;
   };
-  await t.until('it is in the red room', isRed, 200);
-  await t.until('it has left it', async () => !(await isRed()), 200);
+  await robot.underway('it is in the red room', isRed, 200);
+  await robot.underway('it has left it', async () => !(await isRed()), 200);
   // The base is put elsewhere: the page stops, and who has looked lets it go on.
   peer.tell('carry 8 2 west');
   await robot.at('halted');
@@ -95,7 +93,7 @@ peered('what was done of a sequence is not done again behind a surprise', { seco
   await robot.at('ready');
   await robot.hold();
   let again = false;
-  await t.until('it is in the blue room', async () => {
+  await robot.underway('it is in the blue room', async () => {
     again ||= await isRed();
     return (await robot.stage()) === 'ready' && (await peer.report()).agent[0] < 4;
   }, 200);
@@ -123,9 +121,8 @@ peered('a robot behind a rosbridge is calibrated by four corners and drives', { 
   await robot.page.waitForTimeout(1500);
   await robot.arm();
   await robot.ask('go to the red room');
-  await robot.hold();
-  await robot.at('driving');
-  await t.until('it is there', async () => (await robot.stage()) === 'ready', 200);
+  await robot.drive();
+  await robot.underway('it is there', async () => (await robot.stage()) === 'ready', 200);
   await robot.letGo();
   const { agent: [column, row], touches } = await peer.report();
   await t.check(column > 4 && row > 4, `it is at ${column}, ${row}`);
@@ -147,8 +144,7 @@ peered('an emergency stop by key, by button and by letting go stops it', { secon
   await robot.at('off');
   await robot.press('arm');
   await robot.at('ready');
-  await robot.hold();
-  await robot.at('driving');
+  await robot.drive();
   from = peer.frames.length;
   await robot.press('stop');
   await robot.at('halted');
@@ -210,8 +206,7 @@ peered('a page that is hidden or closed stops it', { seconds: 300 }, async (t, p
   await robot.letGo();
   await robot.press('release');
   await robot.press('arm');
-  await robot.hold();
-  await robot.at('driving');
+  await robot.drive();
   from = peer.frames.length;
   await robot.page.goto('about:blank');
   await stands(t, peer, from);
