@@ -18,6 +18,9 @@ flow('the page works offline after one visit', { gpu: true, serviceWorkers: 'all
     return caches.keys();
   });
   await t.equal(stores, [`groundling ${site.address}`], 'what is kept');
+  // All that an engine wants has come to it: what it lacks when the network goes it can only say.
+  await demo.ask('go to the red room');
+  await demo.finish();
   await site.close();
   await t.context.setOffline(true);
   await demo.page.reload();
