@@ -17,7 +17,7 @@ pub enum Kind {
     Joins,
     /// It orders in time or sets a condition.
     Orders,
-    /// It limits to one thing.
+    /// Less, or more: it limits to one thing, or speaks of all.
     Limits,
 }
 

@@ -10,7 +10,7 @@ use super::clauses::Clauses;
 use super::closed::{Kind, closed};
 use super::features::Feature;
 use super::general::{General, Near, Target};
-use super::lexicon::{EntryId, Origin};
+use super::lexicon::{EntryId, Origin, boxed};
 use super::lookup::lexical_items;
 use super::model::Model;
 use super::spelling::heard;
@@ -47,6 +47,9 @@ const STAYS: [&str; 3] = ["stay", "remain", "wait"];
 
 /// Words up to when.
 const UNTIL: [&str; 2] = ["until", "till"];
+
+/// Words as long as which: "while", "on your way to".
+const WHILE: [&str; 3] = ["while", "whilst", "way"];
 
 /// A command's words as they are heard.
 #[derive(Clone, Debug, Default)]
@@ -124,7 +127,10 @@ impl Hearing {
         let before = item.start.checked_sub(1).map(|at| self.words[at].as_str());
         let next = self.words.get(item.end);
         let opens_phrase = || next.is_some_and(|word| begins_phrase(model, word));
+        let (before_it, own) = (&self.words[..item.start], &self.words[item.start..item.end]);
         let rest = &self.words[item.end..];
+        let around = [&self.closed[..item.start], &self.closed[item.end..]];
+        let joins_others = || around.iter().any(|part| part.contains(&Some(Kind::Joins)));
         match syntaxes.text(syntax) {
             // An adjective is denied where one stands: "not the red room" is no room that is not red.
             "N/N/(N/N)" if self.closed[item.start] == Some(Kind::Turns) => {
@@ -145,6 +151,13 @@ impl Hearing {
                 !(item.end..self.words.len()).all(is_silent)
                     || self.closed[..item.start].iter().any(Option::is_some)
             }
+            // Both of two things that are named, or all that there are.
+            "NP/NP" if says(own, &["both"]) => !joins_others(),
+            "S/PP/N" | "S/PP\\(S/PP/NP)/N" | "S/ADJ\\(S/ADJ/NP)/N" | "N\\N/N"
+                if says(own, &["both"]) =>
+            {
+                joins_others()
+            }
             // Of what is there, and at the beginning, "only" says that nothing else is; of what is done that is so anyway.
             "N/N" | "NP/NP" | "NP\\NP" if self.limits(item.start) => {
                 let is_all =
@@ -158,11 +171,10 @@ impl Hearing {
                 self.words[..item.start].iter().any(|word| word == "keep")
                     && self.closed[item.end..].iter().any(is_out)
             }
-            // Where one stays until something is so, one is all that time, not once.
-            "T\\T/T" | "T\\(S/NP)\\NP/(S\\NP)" if UNTIL.contains(&&*self.words[item.start]) => {
-                self.words[..item.start].iter().any(|word| STAYS.contains(&&**word))
-            }
-            "NEG/PP" => !rest.iter().any(|word| UNTIL.contains(&&**word)),
+            // Where one stays until something is so, or while, one is all that time, not once.
+            "T\\T/T" | "T\\(S/NP)\\NP/(S\\NP)" if says(own, &UNTIL) => says(before_it, &STAYS),
+            "T\\T/T" if says(own, &WHILE) => says(before_it, &STAYS) || says(before_it, &["keep"]),
+            "NEG/PP" => !says(rest, &UNTIL) && !says(rest, &WHILE),
             // "But to the blue room" is where to go instead, no other clause.
             "T\\NEG/T" if self.words[item.start] == "but" => {
                 opens_phrase() || next.is_some_and(|word| is_place_word(model, word))
@@ -219,8 +231,7 @@ impl Hearing {
     /// Whether a word speaks of time: it orders clauses or forbids something on the way. "And" alone does not.
     pub(super) fn is_in_time(&self, model: &Model) -> bool {
         let speaks = |start: usize, end: usize| {
-            let own: Vec<Box<str>> =
-                self.words[start..end].iter().map(|w| Box::from(&**w)).collect();
+            let own = boxed(&self.words[start..end]);
             let closed = &self.closed[start..end];
             closed.iter().any(|kind| kind.is_some_and(|kind| kind != Kind::Joins))
                 && model.lexicon.entries_for(&own).iter().any(|&entry| {
@@ -251,7 +262,12 @@ impl Hearing {
         let joins = |&at: &usize| matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));
         let end = (verb..self.words.len()).find(joins).unwrap_or(self.words.len());
         let next = (verb + 1..end).find(|&at| !is_place_word(model, &self.words[at]));
-        let names = |at: usize| names_place(model, &self.words, &self.closed, at);
+        // "The room with the basket in it" looks back no further than to itself.
+        let is_own = |at: usize| {
+            let before_it = &self.words[verb + 1..at];
+            says(before_it, &STATES) || says(before_it, &["where", "that", "which"])
+        };
+        let names = |at: usize| names_place(model, &self.words, &self.closed, at) && !is_own(at);
         match next {
             Some(next) => is_pronoun(&self.words[next]) || (verb + 1..end).any(names),
             None => is_within_or_out(&self.words[end - 1]),
@@ -268,8 +284,7 @@ impl Hearing {
             syntax == SyntaxId::S
         };
         let longest = (at + model.lexicon.longest()).min(self.words.len());
-        let own = &self.words[at..longest];
-        let own: Vec<Box<str>> = own.iter().map(|word| Box::from(&**word)).collect();
+        let own = boxed(&self.words[at..longest]);
         (1..=own.len()).any(|n| model.lexicon.entries_for(&own[..n]).iter().any(begins))
     }
 
@@ -297,6 +312,11 @@ impl Hearing {
     }
 }
 
+/// Whether one of a list stands among words.
+fn says(words: &[String], list: &[&str]) -> bool {
+    words.iter().any(|word| list.contains(&&**word))
+}
+
 /// The idiom that a sentence is, and the place of its words: none stand around them but such as mean nothing.
 pub(super) fn idiom(model: &Model, words: &[String]) -> Option<((usize, usize), EntryId)> {
     let n = words.len();
@@ -315,11 +335,6 @@ pub(super) fn idiom(model: &Model, words: &[String]) -> Option<((usize, usize), 
         .find_map(|(start, end)| Some(((start, end), model.lexicon.idiom(&whole[start..end])?)))
 }
 
-/// Words as the lexicon has them.
-pub(super) fn boxed(words: &[String]) -> Box<[Box<str>]> {
-    words.iter().map(|word| Box::from(word.as_str())).collect()
-}
-
 /// What it is scored by that words are taken for something near.
 fn features(near: &Near) -> Vec<Feature> {
     let measure = matches!(near.target, Target::Measure(_)).then_some(Feature::Measure);
@@ -335,7 +350,7 @@ fn entries(model: &mut Model, general: &General, own: &[String], near: &Near) ->
             all.filter(|&entry| model.lexicon.category(entry).syntax != SyntaxId::EMPTY).collect()
         }
         Target::Measure(constant) => {
-            let words: Box<[Box<str>]> = own.iter().map(|word| word.as_str().into()).collect();
+            let words = boxed(own);
             let Model { lexicon, grammar, .. } = model;
             let mut found = Vec::new();
             for (syntax, meaning) in general.categories(constant) {

@@ -112,6 +112,11 @@ pub struct Lexicon {
     pub frame: Vec<ConstantId>,
 }
 
+/// Words as the lexicon has them.
+pub(super) fn boxed(words: &[String]) -> Box<[Box<str>]> {
+    words.iter().map(|word| Box::from(word.as_str())).collect()
+}
+
 impl Lexicon {
     /// The lexeme behind an id.
     pub fn lexeme(&self, id: LexemeId) -> &Lexeme {

@@ -54,7 +54,11 @@ fn says_something(terms: &Terms, sorts: &Sorts, rooms: &mut Rooms, term: TermId)
             rooms.see(terms, phrase, &body.map_or(Vec::new(), |body| conjuncts(terms, body)));
             body != Some(terms.truth())
         }
-        (Some("not"), &[denied]) => !is_everywhere(terms, denied) && !is_narrow(terms, denied),
+        (Some("not"), &[denied]) => {
+            !is_everywhere(terms, denied)
+                && !is_narrow(terms, denied)
+                && !is_elsewhere(terms, denied)
+        }
         (Some("in"), &[_, place]) => !is_door(terms, place),
         (Some("until"), &[_, first, next]) => !is_undone(terms, first, next),
         (Some("and"), parts) => {
@@ -163,6 +167,19 @@ fn is_everywhere(terms: &Terms, denied: TermId) -> bool {
     let is_outside =
         |&part: &TermId| terms.denied(part).is_some_and(|inside| stands(terms, inside).is_some());
     parts.iter().any(is_room) && parts.iter().any(is_outside)
+}
+
+/// Whether it is that something is in one place and not in another: all that is in the first place would be brought to the
+/// second by being brought anywhere ("move everything in the red room to the blue room").
+fn is_elsewhere(terms: &Terms, denied: TermId) -> bool {
+    let Some(parts) = said_of(terms, denied, "exists") else { return false };
+    let is_placed = |part: TermId| {
+        let is_own = |of: TermId| terms.node(of) == Node::Variable(0);
+        let Node::Apply { args: &[of, _], .. } = terms.node(part) else { return false };
+        is_own(of) && !matches!(terms.head_name(part), Some("and" | "or" | "eq"))
+    };
+    let is_elsewhere = |part: &TermId| terms.denied(*part).is_some_and(is_placed);
+    parts.iter().any(|&part| is_placed(part)) && parts.iter().any(is_elsewhere)
 }
 
 /// Whether a thing is to leave the place where it is, if that is none of some others: "the other room, not the red one".

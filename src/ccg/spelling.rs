@@ -1,10 +1,12 @@
-//! Words heard through their misspelling: "chiar" is read as the known word next to it. A word that the lexicon knows
-//! is never changed, so what is learned of a spelling goes before; nor is a word of its own that a general resource knows.
-//! Nothing is heard as a word that means nothing; of words that are as near, one that turns round is heard first.
+//! Words heard through their misspelling: "chiar" is read as the known word next to it, and a noun in the plural as in the
+//! singular. A word that the lexicon knows is never changed otherwise, so what is learned of a spelling goes before; nor is
+//! a word of its own that a general resource knows. Nothing is heard as a word that means nothing; of words that are as
+//! near, one that turns round is heard first.
 
 use super::closed::{Kind, closed, closed_words};
-use super::lexicon::{EntryId, Lexicon, Origin};
+use super::lexicon::{EntryId, Lexicon, Origin, boxed};
 use super::model::Model;
+use super::word_kind::{is, is_noun};
 use crate::logic::order;
 
 /// Letters below which a word is taken as it stands: too many short words are one letter apart.
@@ -20,11 +22,31 @@ const LONGER: usize = 6;
 /// deletion, substitution or swap of neighbours makes of them (two in long words); where there are several, one that
 /// turns round, or else the first of the alphabet.
 pub(super) fn heard(model: &Model, words: &[String]) -> Vec<String> {
-    let hear = |(word, closed): (&String, Option<_>)| match closed {
-        Some(_) => word.clone(),
-        None => nearest(model, word).unwrap_or_else(|| word.clone()),
+    let hear = |(at, closed): (usize, Option<_>)| {
+        let word = &words[at];
+        let other = closed.is_none().then(|| {
+            let one = singular(model, word).filter(|_| !is_within_phrase(model, words, at));
+            one.or_else(|| nearest(model, word))
+        });
+        other.flatten().unwrap_or_else(|| word.clone())
     };
-    words.iter().zip(closed(words)).map(hear).collect()
+    closed(words).into_iter().enumerate().map(hear).collect()
+}
+
+/// The noun of the seed that a word is the plural of, if nothing else is known that it means: "objects" never means nothing.
+fn singular(model: &Model, word: &str) -> Option<String> {
+    let one = word.strip_suffix('s').filter(|one| is(model, one, is_noun))?;
+    (!model.lexicon.has_meaning(word)).then(|| one.to_owned())
+}
+
+/// Whether the word belongs to several that the lexicon knows together: "all things".
+fn is_within_phrase(model: &Model, words: &[String], at: usize) -> bool {
+    let longest = model.lexicon.longest();
+    (at.saturating_sub(longest - 1)..=at).any(|start| {
+        let ends = at + 1..=(start + longest).min(words.len());
+        ends.filter(|end| end - start > 1)
+            .any(|end| !model.lexicon.entries_for(&boxed(&words[start..end])).is_empty())
+    })
 }
 
 fn nearest(model: &Model, word: &str) -> Option<String> {
