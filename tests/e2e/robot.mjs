@@ -94,19 +94,19 @@ export class Robot extends Opened {
   }
 
   /**
-   * Waits for something while the key is held. Where a machine is so busy that no pose comes for half a second, the page
-   * stops, as it should: who has looked lets it go on.
+   * Waits for something while the key is held. Where a machine is so busy that no pose comes for half a second, or that the
+   * page itself stands still, it stops, as it should: who has looked lets it go on.
    */
   underway(what, test, seconds = PATIENCE) {
     return this.t.until(what, async () => {
       if (await test()) return true;
-      if (await this.hasHeardNothing()) await this.goOn();
+      if (await this.isTooSlow()) await this.goOn();
       return false;
     }, seconds);
   }
 
-  async hasHeardNothing() {
-    return (await this.stage()) === 'halted' && /No pose came/.test(await this.by('stage').textContent());
+  async isTooSlow() {
+    return (await this.stage()) === 'halted' && /No pose came|stood still/.test(await this.by('stage').textContent());
   }
 
   /** Lets it go on that has stopped, as it was before: seen to stop by itself, or driving. */
