@@ -129,6 +129,19 @@ export class Robot extends Opened {
     await this.underway('it is driving', async () => (await this.stage()) === 'driving');
   }
 
+  /** Lets the key go, and waits until that is all that is missing. */
+  async pause() {
+    await this.letGo();
+    await this.t.until('it waits for the key', async () => {
+      if (await this.stage() === 'ready') return true;
+      if (await this.isTooSlow()) {
+        await this.goOn();
+        await this.letGo();
+      }
+      return false;
+    });
+  }
+
   /** The base is seen to stop by itself, and driving is allowed. */
   async arm() {
     await this.press('try');

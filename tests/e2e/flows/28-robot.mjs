@@ -63,8 +63,7 @@ flow('a simulated robot is looked at, then drives as long as the key is held', {
   await robot.drive();
   await t.shot('robot-driving');
   await t.accessible('the page while it drives');
-  await robot.letGo();
-  await robot.at('ready');
+  await robot.pause();
   const [x] = await robot.place();
   await robot.hold();
   await robot.underway('it is there', async () => (await robot.stage()) === 'ready' && (await robot.place())[0] < 3.4, 200);
