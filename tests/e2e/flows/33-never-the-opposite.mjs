@@ -7,6 +7,11 @@ import { flow } from '../flow.mjs';
 import { openPage } from '../page.mjs';
 import { root } from '../packages.mjs';
 
+const model = await readFile(path.join(root, 'assets/model/cleanup.model'), 'utf8');
+
+/** The shipped model, so careful that it always asks. */
+const careful = model.replace(/^doubt\t.*\n/gm, '').replace(/^signature\t/m, 'doubt\tthreshold\t1.1\n$&');
+
 /** Opens the page and waits until it knows the words that no lexicon has. */
 async function openWith(t, address) {
   const fetched = t.context.waitForEvent('response', (response) => /words\.txt$/.test(response.url()));
@@ -87,4 +92,43 @@ flow('without the words that no lexicon has all else works', async (t) => {
   await demo.ask('go to the blue room');
   await demo.finish();
   await t.equal(async () => (await demo.robot()).room, 'blue', 'where the robot ends');
+});
+
+flow('what is doubtful is asked, answered by keys, and remembered', async (t) => {
+  const demo = await openPage(t);
+  await demo.drop('careful.model', careful);
+  await demo.says(/model/i);
+  await demo.ready();
+  const before = await demo.robot();
+  await demo.ask('go to the blue room with the block');
+  await demo.by('question').waitFor();
+  await t.check(async () => (await demo.by('choice').count()) >= 2, 'choices side by side');
+  await t.equal(() => demo.plain(), null, 'what it understood');
+  await t.equal(() => demo.by('plan').count(), 0, 'plans');
+  await t.equal(() => demo.robot(), before, 'where the robot stays');
+  await demo.says(/^There is no blue room that has the block in it\. Name one thing that is in the room\. Which do you mean\? 1: The block is in the blue room\. 2: /);
+  await t.accessible('a question');
+  await t.fits('a question');
+  const focused = () => demo.page.evaluate(() => document.activeElement?.id);
+  await t.equal(() => focused(), 'choice-1', 'the focus');
+  await demo.page.keyboard.press('ArrowRight');
+  await t.equal(() => focused(), 'choice-2', 'the focus after an arrow');
+  await demo.page.keyboard.press('ArrowLeft');
+  await demo.page.keyboard.press('1');
+  await t.until('there is a plan', async () => (await demo.by('plan').count()) > 0);
+  await t.equal(() => demo.by('question').count(), 0, 'questions');
+  await demo.finish();
+  await t.check(async () => /yellow block in the blue room/.test(await demo.world()), () => demo.world());
+  await demo.press('remember');
+  await t.until('it is learned', async () => (await demo.by('lessons').count()) > 0);
+  await t.check(async () => /go to the blue room with the block/.test(await demo.by('lessons').textContent()), 'the lesson');
+  await t.equal(() => demo.by('remember').count(), 0, 'it is kept once');
+  await demo.ask('go to the green room');
+  await demo.planned();
+  await t.equal(() => demo.by('question').count(), 0, 'questions where one reading alone can be meant');
+  await demo.press('undo');
+  await demo.ask('go to the red room with the block');
+  await demo.by('question').waitFor();
+  await demo.press('none-of-these');
+  await t.equal(() => demo.by('lesson').inputValue(), 'go to the red room with the block', 'the words of the lesson');
 });
