@@ -35,11 +35,11 @@ async function driving(t, peer) {
   return robot;
 }
 
-/** The base stands, and was told to so many times over. */
-async function stands(t, peer, from, times = 3) {
+/** The base stands, and was told to three times over. */
+async function stands(t, peer, from) {
   await t.until('the base stands', async () => (await peer.report()).stands, 5);
-  const last = () => peer.velocities(from).slice(-times);
-  await t.equal(last, Array(times).fill([0, 0]), 'what it was told last');
+  const last = () => peer.velocities(from).slice(-3);
+  await t.equal(last, [[0, 0], [0, 0], [0, 0]], 'what it was told last');
   const told = peer.velocities(from).length;
   await new Promise((resolve) => { setTimeout(resolve, 700); });
   await t.equal(peer.velocities(from).length, told, 'it is told no more');
@@ -208,8 +208,7 @@ peered('a page that is hidden or closed stops it', { seconds: 300 }, async (t, p
   await robot.drive();
   from = peer.frames.length;
   await robot.page.goto('about:blank');
-  // What is on its way from a page that is left may be lost with it.
-  await stands(t, peer, from, 1);
+  await stands(t, peer, from);
 });
 
 peered('what comes in wrong is told apart', {}, async (t, peer) => {
