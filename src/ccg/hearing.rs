@@ -138,10 +138,9 @@ impl Hearing {
             }
             // Behind a clause "stay out" is of where that one led.
             "PP" if before.is_some_and(|word| STAYS.contains(&word)) => {
-                let joins = |kind: &Option<Kind>| *kind == Some(Kind::Joins);
                 next.is_none()
                     && is_within_or_out(&self.words[item.start])
-                    && self.closed[..item.start].iter().any(joins)
+                    && self.closed[..item.start].contains(&Some(Kind::Joins))
             }
             // "Any room" is a command by itself, but not behind a preposition: "by any room".
             "S/N" => before.is_some_and(|word| is_place_word(model, word)),
@@ -167,9 +166,7 @@ impl Hearing {
             "S/PP/NP" if self.limits(item.start) => before.is_some() || !opens_phrase(),
             // To keep one thing or another out is to keep both.
             "S/PP\\(S/PP/NP)\\NP/NP" if self.words[item.start] == "or" => {
-                let is_out = |kind: &Option<Kind>| *kind == Some(Kind::Turns);
-                self.words[..item.start].iter().any(|word| word == "keep")
-                    && self.closed[item.end..].iter().any(is_out)
+                says(before_it, &["keep"]) && self.closed[item.end..].contains(&Some(Kind::Turns))
             }
             // Where one stays until something is so, or while, one is all that time, not once.
             "T\\T/T" | "T\\(S/NP)\\NP/(S\\NP)" if says(own, &UNTIL) => says(before_it, &STAYS),

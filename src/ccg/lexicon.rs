@@ -113,7 +113,7 @@ pub struct Lexicon {
 }
 
 /// Words as the lexicon has them.
-pub(super) fn boxed(words: &[String]) -> Box<[Box<str>]> {
+pub(crate) fn boxed(words: &[String]) -> Box<[Box<str>]> {
     words.iter().map(|word| Box::from(word.as_str())).collect()
 }
 

@@ -6,7 +6,7 @@
 use super::category::Category;
 use super::closed::{Kind, closed};
 use super::features::Feature;
-use super::lexicon::{Hole, Origin};
+use super::lexicon::{Hole, Origin, boxed};
 use super::model::Model;
 use super::sentence::words;
 use super::syntax::SyntaxId;
@@ -158,7 +158,7 @@ fn add_entry(model: &mut Model, phrase: &str, category: Category) -> Result<(), 
         return Err("there are no words before :-".to_owned());
     }
     let n_words = words.len();
-    let own = words.iter().map(|word| Box::from(word.as_str())).collect();
+    let own = boxed(&words);
     let entry = model
         .lexicon
         .add_category(&mut model.grammar, own, category, Origin::Seed)

@@ -4,12 +4,12 @@
 use super::category::Category;
 use super::chart::Lexical;
 use super::closed::closed;
-use super::lexicon::{EntryId, Origin};
+use super::lexicon::{EntryId, Origin, boxed};
 use super::model::Model;
 
 /// The lexicon's categories for every span of the words.
 pub fn lexical_items(model: &Model, words: &[String]) -> Vec<Lexical> {
-    let words: Vec<Box<str>> = words.iter().map(|word| Box::from(word.as_str())).collect();
+    let words = boxed(words);
     let mut items = Vec::new();
     let closed = closed(&words);
     for start in 0..words.len() {

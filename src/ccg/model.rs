@@ -6,7 +6,7 @@ use super::combinator::{Grammar, Shift};
 use super::doubt::Doubt;
 use super::features::{Feature, Features};
 use super::general::General;
-use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId};
+use super::lexicon::{EntryId, Hole, Lexeme, Lexicon, Origin, TemplateId, boxed};
 use super::number::number;
 use super::syntax::Atom;
 use crate::logic::{ConstantId, LogicError, Signature, Sorts, TIME, TermId, print, read, ty};
@@ -107,7 +107,7 @@ impl Model {
     /// # Errors
     /// When the goal is too large.
     pub fn add_idiom(&mut self, words: &[String], goal: TermId) -> Result<(), LogicError> {
-        let words = words.iter().map(|word| Box::from(word.as_str())).collect();
+        let words = boxed(words);
         let syntax = self.grammar.syntaxes.atom(Atom::S);
         let category = Category { syntax, meaning: goal };
         self.lexicon.add_idiom(&mut self.grammar, words, category).map(drop)
@@ -122,7 +122,7 @@ impl Model {
         words: &[String],
         category: Category,
     ) -> Result<EntryId, LogicError> {
-        let words = words.iter().map(|word| Box::from(word.as_str())).collect();
+        let words = boxed(words);
         let entry =
             self.lexicon.add_category(&mut self.grammar, words, category, Origin::Learned)?;
         self.features.set(Feature::Entry(entry), NAME);

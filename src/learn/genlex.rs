@@ -6,7 +6,7 @@ use super::novelty::{Novelty, novelty};
 use crate::ccg::absorb::{Leniency, absorbing, absorption, empty_entries};
 use crate::ccg::chart::{Chart, ChartConfig, Derivations, Lexical, Step};
 use crate::ccg::factor::instantiate;
-use crate::ccg::lexicon::Lexeme;
+use crate::ccg::lexicon::{Lexeme, boxed};
 use crate::ccg::lookup::lexical_items;
 use crate::ccg::parse::is_goal;
 use crate::ccg::{Category, EntryId, Grammar, Hole, Model, Origin, SyntaxId, TemplateId, closed};
@@ -109,8 +109,7 @@ pub fn generate(
     let mut generated = Generated { candidates: Vec::new(), empty, useful };
     for &(start, end, template) in used {
         let novelty = novelty(model, &words[start..end]);
-        let words: Box<[Box<str>]> =
-            words[start..end].iter().map(|word| Box::from(word.as_str())).collect();
+        let words = boxed(&words[start..end]);
         for constants in fillings(model, template) {
             if !novelty.admits(model, &constants) {
                 continue;

@@ -109,17 +109,14 @@ export class Robot extends Opened {
     return (await this.stage()) === 'halted' && /No pose came|stood still/.test(await this.by('stage').textContent());
   }
 
-  /** Lets it go on that has stopped, as it was before: seen to stop by itself, or driving. */
+  /** Lets it go on that has stopped: ready, and the key held, where it was seen to stop by itself before. */
   async goOn() {
     await this.letGo();
     await this.press('release');
     await this.finds('placed', 'good');
-    if (await this.found('stops') === 'good') {
-      await this.press('arm');
-      await this.at('ready');
-    } else {
-      await this.press('try');
-    }
+    if (await this.found('stops') !== 'good') return;
+    await this.press('arm');
+    await this.at('ready');
     await this.hold();
   }
 
@@ -142,13 +139,10 @@ export class Robot extends Opened {
     });
   }
 
-  /** The base is seen to stop by itself, and driving is allowed. */
+  /** The base is seen to stop by itself, tried again where too little was seen of it, and driving is allowed. */
   async arm() {
-    await this.press('try');
-    await this.hold();
     await this.underway('it stops by itself', async () => {
       if (await this.found('stops') === 'good') return true;
-      // Where too little was seen of it, it is tried again.
       if (await this.stage() === 'off') {
         await this.letGo();
         await this.press('try');
