@@ -127,10 +127,9 @@ impl Effects {
             });
             match talking(&told).await {
                 Ok(engine) => {
-                    let mut talker = talker.borrow_mut();
-                    let posted =
-                        talker.waiting.drain(..).try_for_each(|envelope| engine.post(&envelope));
-                    talker.engine = Some(engine);
+                    let waiting = std::mem::take(&mut talker.borrow_mut().waiting);
+                    let posted = waiting.iter().try_for_each(|envelope| engine.post(envelope));
+                    talker.borrow_mut().engine = Some(engine);
                     if let Err(error) = posted {
                         act.emit(Action::EngineBroke(host::words(&error)));
                     }

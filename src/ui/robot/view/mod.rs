@@ -8,6 +8,7 @@ mod place;
 mod dry;
 mod bar;
 mod page;
+mod runtime;
 mod root;
 
 pub use root::mount;

@@ -1,19 +1,20 @@
-//! The root component: holds the state, hands every action to the reducer and every effect to [`Effects`]. Time goes by in
-//! ticks while there is a link; of what comes over it, the page is drawn anew at the ticks alone.
+//! The root component: draws what the [`Runtime`] holds. Time goes by in ticks while there is a link; of what comes over it,
+//! the page is drawn anew at a beat of its own.
 
-use super::effects::Effects;
 use super::keys;
 use super::page::page;
+use super::runtime::Runtime;
 use crate::ui::page::language::Language;
 use crate::ui::page::view::host;
 use crate::ui::robot::action::Action;
-use crate::ui::robot::state::{Link, State};
-use crate::ui::robot::update::reduce;
+use crate::ui::robot::state::Link;
 use gloo_timers::callback::Interval;
+use std::rc::Rc;
 use yew::{Component, Context, Html};
 
-/// Milliseconds between two ticks.
+/// Milliseconds between two ticks, and between two drawings of what goes by.
 const TICK: u32 = 40;
+const DRAW: u32 = 80;
 
 /// Mounts the page.
 pub fn mount() {
@@ -21,19 +22,25 @@ pub fn mount() {
 }
 
 struct Robot {
-    state: State,
-    effects: Effects,
-    _ticks: Interval,
-    /// Whether the next tick is one to draw at.
-    is_due: bool,
+    runtime: Rc<Runtime>,
+    _beats: [Interval; 2],
+}
+
+/// What the component is asked to draw for.
+enum Draw {
+    /// Something was done.
+    Done,
+    /// Time has gone by.
+    Passing,
 }
 
 impl Component for Robot {
-    type Message = Action;
+    type Message = Draw;
     type Properties = ();
 
     fn create(ctx: &Context<Self>) -> Robot {
-        let act = ctx.link().callback(|action| action);
+        let runtime = Runtime::new(ctx.link().callback(|()| Draw::Done));
+        let act = runtime.act.clone();
         let secure = web_sys::window().and_then(|window| window.location().protocol().ok());
         let language = Language::of(&host::language()).unwrap_or_default();
         act.emit(Action::Prefers(host::preferences()));
@@ -41,32 +48,21 @@ impl Component for Robot {
         host::watch_preferences(&act.reform(Action::Prefers));
         host::watch_hidden(&act.reform(|()| Action::Hidden));
         keys::watch(&act);
+        let tick = act.clone();
+        let tick = Interval::new(TICK, move || tick.emit(Action::Tick(0)));
         let link = ctx.link().clone();
-        // How much waits to leave is known when the tick is taken.
-        let ticks = Interval::new(TICK, move || link.send_message(Action::Tick(0)));
-        Robot { state: State::new(), effects: Effects::new(act), _ticks: ticks, is_due: false }
+        let draw = Interval::new(DRAW, move || link.send_message(Draw::Passing));
+        Robot { runtime, _beats: [tick, draw] }
     }
 
-    fn update(&mut self, _ctx: &Context<Self>, action: Action) -> bool {
-        let is_seen = match &action {
-            Action::Tick(_) if self.state.link != Link::Open => return false,
-            Action::Tick(_) => {
-                self.is_due = !self.is_due;
-                self.is_due
-            }
-            Action::LinkHeard(_) => false,
-            _ => true,
-        };
-        let action = match action {
-            Action::Tick(_) => Action::Tick(self.effects.backlog()),
-            other => other,
-        };
-        let effects = reduce(&mut self.state, action, host::now());
-        self.effects.run(effects);
-        is_seen
+    fn update(&mut self, _ctx: &Context<Self>, draw: Draw) -> bool {
+        match draw {
+            Draw::Done => true,
+            Draw::Passing => self.runtime.state().link == Link::Open,
+        }
     }
 
-    fn view(&self, ctx: &Context<Self>) -> Html {
-        page(&self.state, &ctx.link().callback(|action| action))
+    fn view(&self, _ctx: &Context<Self>) -> Html {
+        page(&self.runtime.state(), &self.runtime.act)
     }
 }
