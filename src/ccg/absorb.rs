@@ -3,7 +3,7 @@
 //! that no entry calls empty is the same at a price. There is one way to absorb a word, so readings do not multiply.
 //! A closed word never goes without meaning; nor, behind one that turns round, does what it may speak of.
 
-use super::anaphora::is_pronoun;
+use super::anaphora::{is_pronoun, is_within_or_out};
 use super::chart::Lexical;
 use super::closed::{Kind, closed};
 use super::features::Feature;
@@ -43,7 +43,7 @@ pub fn empty_entries(model: &Model, words: &[String]) -> Vec<Option<EntryId>> {
 /// room but to the blue one"). Nor may a pronoun that is all a verb is done to ("take it to the red room"), or that stands
 /// behind a preposition in what orders or sets a condition ("until the chair is in it"), or that is gone away from ("get out
 /// of there"), or that one is to be beside in a clause that is joined ("and stand next to it"); nor the verb that brings what
-/// stands behind it anywhere, beside what turns, orders or limits ("put the block in the red room first" brings it there).
+/// stands behind it ("and bring it to the red room" brings no robot there).
 fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     let closed = closed(words);
     let clauses = clauses_behind(model, words, &closed);
@@ -53,7 +53,10 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     let first_noun = words.iter().position(|word| is(model, word, is_noun)).unwrap_or(words.len());
     let orders = closed.iter().position(|&kind| kind == Some(Kind::Orders)).unwrap_or(words.len());
     let is_thing = |at: usize| {
-        let is_done_to = || (1..first_noun).contains(&at) && is(model, &words[at - 1], takes_thing);
+        let is_done_to = || {
+            (1..first_noun).contains(&at) && is(model, &words[at - 1], takes_thing)
+                || at > 0 && is(model, &words[at - 1], brings_thing)
+        };
         let is_in_condition = || at > orders && is(model, &words[at - 1], is_preposition);
         is_pronoun(&words[at]) && (is_done_to() || is_in_condition())
     };
@@ -99,13 +102,24 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         };
         at + 1 < before && is_verb_word(model, &words[at]) && has_more()
     };
-    let is_strict = closed.iter().any(|kind| kind.is_some_and(|kind| kind != Kind::Joins));
+    let is_said_again = |at: usize| words[at..].iter().any(|word| is_pronoun(word));
     let brings = |at: usize| {
-        is_strict
-            && is(model, &words[at], brings_thing)
+        is(model, &words[at], brings_thing)
             && !is(model, &words[at], takes_place)
-            && words.get(at + 1).is_some_and(|next| begins_phrase(model, next))
-            && !words[at + 1..].iter().any(|word| is_pronoun(word))
+            && words.get(at + 1).is_some_and(|next| {
+                is_pronoun(next) || begins_phrase(model, next) && !is_said_again(at + 1)
+            })
+    };
+    // Where one goes is said behind the verb; alone, the place would be a thing's ("go to the room that has the bag").
+    let goes = |at: usize| {
+        words[at] == "go"
+            && is(model, &words[at], takes_place)
+            && words.get(at + 1).is_some_and(|next| is_place_word(model, next))
+    };
+    // "Have the chair in and the block out."
+    let is_cut_off = |at: usize| {
+        is_within_or_out(&words[at])
+            && closed.get(at + 1).is_some_and(|next| *next == Some(Kind::Joins))
     };
     let speaks = |at: usize| {
         let goes_on = || is_turned(at) || is_thing(at) || is_denied(at);
@@ -117,6 +131,8 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
             || is_turned_one(at)
             || is_before(at)
             || brings(at)
+            || goes(at)
+            || is_cut_off(at)
     };
     (0..words.len()).map(|at| !speaks(at) && !clauses.contains(&at)).collect()
 }

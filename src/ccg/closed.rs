@@ -28,7 +28,10 @@ const KINDS: [(&str, Kind); 4] = [
     ("limits", Kind::Limits),
 ];
 
-/// A line's words: one or more, and what they do. A word with `-` before it is an ending.
+/// Before a word with which a sentence begins.
+const BEGINS: char = '^';
+
+/// A line's words: one or more, and what they do. A word with `-` before it is an ending, one with `^` begins the sentence.
 struct Phrase {
     words: Vec<&'static str>,
     kind: Kind,
@@ -55,7 +58,10 @@ static PHRASES: LazyLock<Phrases> = LazyLock::new(|| {
             let place = phrases.all.len();
             match first.strip_prefix('-') {
                 Some(ending) => phrases.by_ending.push((ending, place)),
-                None => phrases.by_word.entry(first).or_default().push(place),
+                None => {
+                    let word = first.trim_start_matches(BEGINS);
+                    phrases.by_word.entry(word).or_default().push(place);
+                }
             }
             phrases.all.push(Phrase { words, kind });
         }
@@ -71,7 +77,10 @@ pub fn closed(words: &[impl AsRef<str>]) -> Vec<Option<Kind>> {
         let ends = |&&(ending, _): &&(&str, usize)| first.as_ref().ends_with(ending);
         let ending = by_ending.iter().filter(ends).map(|&(_, place)| place);
         let same = by_word.get(first.as_ref()).into_iter().flatten().copied();
-        let begun = same.chain(ending).filter(|&place| stands(&all[place].words, &words[start..]));
+        let may_begin = |place: usize| start == 0 || !all[place].words[0].starts_with(BEGINS);
+        let begun = same
+            .chain(ending)
+            .filter(|&place| may_begin(place) && stands(&all[place].words, &words[start..]));
         found.extend(begun.map(|place| (place, start)));
     }
     order::sort_by_key(&mut found, |&one| one);
@@ -91,7 +100,7 @@ fn stands(own: &[&str], words: &[impl AsRef<str>]) -> bool {
     own.len() <= words.len()
         && both.all(|(word, own): (&str, &&str)| match own.strip_prefix('-') {
             Some(ending) => word.ends_with(ending),
-            None => word == *own,
+            None => word == own.trim_start_matches(BEGINS),
         })
 }
 
@@ -103,7 +112,7 @@ pub fn any_closed(words: &[impl AsRef<str>]) -> bool {
 /// The closed words that stand alone, in the list's order: what a misspelt word may be.
 pub fn closed_words() -> impl Iterator<Item = &'static str> {
     PHRASES.all.iter().filter_map(|phrase| match phrase.words[..] {
-        [word] if !word.starts_with('-') => Some(word),
+        [word] if !word.starts_with(['-', BEGINS]) => Some(word),
         _ => None,
     })
 }

@@ -22,6 +22,7 @@ mod anaphora;
 pub mod absorb;
 pub mod lookup;
 mod spelling;
+mod context;
 pub mod hearing;
 mod sense;
 pub mod goals;

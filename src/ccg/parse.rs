@@ -17,7 +17,6 @@ use super::model::Model;
 use super::sense::makes_sense;
 use super::sentence::{is_too_long, words};
 use super::syntax::SyntaxId;
-use super::word_kind::{is_place_word, is_verb_word};
 use crate::logic::order::{sort_by, sort_by_key};
 use crate::logic::{TermId, Terms, TyId, ty};
 use indexmap::IndexMap;
@@ -290,7 +289,8 @@ fn pieces(model: &Model, hearing: &Hearing) -> Vec<(usize, usize)> {
     }
     let end = turn.unwrap_or(closed.len());
     let rest = |start: usize| {
-        let turned = turn.is_some_and(|turn| closed[turn + 1..start].contains(&Some(Kind::Turns)));
+        let between = turn.and_then(|turn| closed.get(turn + 1..start)).unwrap_or_default();
+        let turned = between.contains(&Some(Kind::Turns));
         (!turned && closed[start..].iter().all(Option::is_none)).then_some((start, words.len()))
     };
     let clauses = clauses_behind(model, words, closed).into_iter();
@@ -343,20 +343,11 @@ fn fill_at(model: &mut Model, hearing: &Hearing, leniency: Leniency, config: Cha
     // Beside what turns round or orders, half a phrase is no clause: "never go to the red, room after the blue room".
     let orders = |kind: &Option<Kind>| matches!(kind, Some(Kind::Turns | Kind::Orders));
     let is_strict = hearing.closed.iter().any(orders);
-    let within: Vec<bool> = (0..hearing.words.len())
-        .map(|at| is_strict && hearing.is_within_phrase(model, at))
-        .collect();
-    // A thing that is joined to another is no clause: "put the chair next to the block and the bag".
-    let says = |at: &usize| {
-        let word = &hearing.words[*at];
-        is_verb_word(model, word) || is_place_word(model, word)
-    };
-    let bare: Vec<usize> = (0..hearing.words.len())
-        .map(|start| match start.checked_sub(1).and_then(|before| hearing.closed[before]) {
-            Some(Kind::Joins) => (start..hearing.words.len()).find(says).unwrap_or(usize::MAX),
-            _ => 0,
-        })
-        .collect();
+    let context = hearing.context(model);
+    let within: Vec<bool> =
+        (0..hearing.words.len()).map(|at| is_strict && context.is_within_phrase(at)).collect();
+    let bare: Vec<usize> =
+        (0..hearing.words.len()).map(|start| context.bare_until(start)).collect();
     let admit = |_: &Grammar, (start, end): (usize, usize), category: Category| {
         !category.syntax.is_sentence() || !within[start] && end > bare[start]
     };

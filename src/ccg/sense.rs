@@ -54,6 +54,7 @@ fn says_something(terms: &Terms, sorts: &Sorts, rooms: &mut Rooms, term: TermId)
             rooms.see(terms, phrase, &body.map_or(Vec::new(), |body| conjuncts(terms, body)));
             body != Some(terms.truth())
         }
+        (Some("exists"), _) => !is_idle(terms, term),
         (Some("not"), &[denied]) => {
             !is_everywhere(terms, denied)
                 && !is_narrow(terms, denied)
@@ -158,6 +159,12 @@ fn stands(terms: &Terms, part: TermId) -> Option<TermId> {
         &[thing, place] if terms.node(place) == Node::Variable(0) => Some(thing),
         _ => None,
     }
+}
+
+/// Whether it is that in some room a thing is not, and no more of what is there: it always is so.
+fn is_idle(terms: &Terms, some: TermId) -> bool {
+    let parts = said_of(terms, some, "exists").unwrap_or_default();
+    is_everywhere(terms, some) && !parts.iter().any(|&part| stands(terms, part).is_some())
 }
 
 /// Whether it is that in some room a thing is not: denied, the thing would have to be in all rooms at once.

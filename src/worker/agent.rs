@@ -17,7 +17,7 @@ const SLICE_MS: f64 = 12.0;
 
 /// Milliseconds between two reports of progress: a page that draws each one takes time from the work, on a machine of two
 /// cores as much as the work itself at 25 a second.
-const REPORT_MS: f64 = 125.0;
+const REPORT_MS: f64 = 250.0;
 
 /// Takes the worker's messages from now on, in a role.
 pub fn listen<R: Role + 'static>() {

@@ -86,10 +86,10 @@ fn an_explanation_names_entries_rules_and_features() {
 #[test]
 fn a_clause_that_sets_no_goal_costs_what_it_said() {
     // What no closed word stands for may throw a clause away, if nothing else can be made of the sentence.
-    let also = "also :- S\\S/S : (lambda $0:t (lambda $1:t $0))";
-    let mut model = seed_model(&format!("{CLEANUP_LEXICON}\n{also}")).unwrap();
+    let likewise = "likewise :- S\\S/S : (lambda $0:t (lambda $1:t $0))";
+    let mut model = seed_model(&format!("{CLEANUP_LEXICON}\n{likewise}")).unwrap();
     let config = ChartConfig::of(&model);
-    let command = "move the red chair to the green room also go to the blue room";
+    let command = "move the red chair to the green room likewise go to the blue room";
     let parse = parse(&mut model, command, config);
     let lost = |wanted: &str| {
         let form = |r: &&Reading| print_human(&model.grammar.terms, r.form) == wanted;

@@ -119,7 +119,7 @@ const [more, misspelt] = ['+ ', '- '].map((mark) => {
   return new Set(marked.flatMap((line) => line.slice(mark.length).split(' ')));
 });
 const closed = content(path.join(lexicon, 'closed.txt')).flatMap((line) => phrases(line.slice(line.indexOf(':') + 1)));
-const known = [...entries.flatMap((entry) => entry.phrases), ...closed].flatMap((phrase) => phrase.split(' ').filter((word) => !word.startsWith('-')));
+const known = [...entries.flatMap((entry) => entry.phrases), ...closed].flatMap((phrase) => phrase.split(' ').filter((word) => !word.startsWith('-')).map((word) => word.replace('^', '')));
 const real = realWords(net, new Set(known), more, misspelt).filter((word) => !found.has(word));
 
 console.log(`# What words that the lexicon does not know may stand for: made by \`make words\`, not to be changed by hand. A line is

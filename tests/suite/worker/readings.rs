@@ -15,7 +15,8 @@ use std::collections::BTreeSet;
 const TASKS: &str = include_str!("../../../assets/corpus/tasks.txt");
 
 /// Commands with every rule in their derivations, words twice, words left out, words misheard.
-const COMMANDS: [&str; 12] = [
+const COMMANDS: [&str; 13] = [
+    "bring the block from the red room to the smallest room with the chair",
     "go to the red room and move the chair to the red room",
     "move the red chair to the red room",
     "please could you go into the largest room now",
