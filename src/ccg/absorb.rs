@@ -58,7 +58,13 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
                 || at > 0 && is(model, &words[at - 1], brings_thing)
         };
         let is_in_condition = || at > orders && is(model, &words[at - 1], is_preposition);
-        is_pronoun(&words[at]) && (is_done_to() || is_in_condition())
+        // "Then it into the blue room": what is brought there is said, with no verb.
+        let is_brought = || {
+            at > 0
+                && matches!(closed[at - 1], Some(Kind::Joins | Kind::Orders))
+                && words.get(at + 1).is_some_and(|next| is_place_word(model, next))
+        };
+        is_pronoun(&words[at]) && (is_done_to() || is_in_condition() || is_brought())
     };
     // What is denied first is said, where another clause begins behind it ("don't go there, go to the blue room").
     let is_denied = |at: usize| {
@@ -89,7 +95,11 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     };
     // "Bring it there and stay out of it" does not say "and be out of it in the end".
     let stays = |at: usize| matches!(&*words[at], "stay" | "keep" | "remain");
-    let stays_out = |at: usize| at > joined && stays(at) && at + 3 < words.len() && is_left(at + 3);
+    let stays_out = |at: usize| {
+        stays(at)
+            && (closed.get(at + 1) == Some(&Some(Kind::Turns))
+                || at > joined && at + 3 < words.len() && is_left(at + 3))
+    };
     let is_turned_one = |at: usize| at > 0 && turns(at - 1) && is_pronoun(&words[at]);
     // What was done in the clause before is done first: "go to the blue room and get out of it".
     let joins = |&at: &usize| matches!(closed[at], Some(Kind::Joins | Kind::Orders));

@@ -275,8 +275,11 @@ impl Context<'_> {
         let turns = |kind: &Option<Kind>| *kind == Some(Kind::Turns);
         let behind = (at + 1..self.words.len()).find(|&at| self.closed[at] != Some(Kind::Turns));
         let Some(next) = behind.map(|at| &self.words[at]) else { return false };
-        let is_place =
-            (at + 1..=behind.unwrap_or(at)).any(|at| is_place_word(self.model, &self.words[at]));
+        let is_place = (at + 1..=behind.unwrap_or(at)).any(|at| {
+            // "The left of the block" is a place, too.
+            let at = at + usize::from(self.words[at] == "the");
+            self.words.get(at).is_some_and(|word| is_place_word(self.model, word))
+        });
         // A place alone is of the thing that is moved, not of the robot.
         let turned = self.closed[..at].iter().any(turns);
         if self.closed[at] != Some(Kind::Joins) || !(turned || is_place && self.moves_thing(at)) {

@@ -100,7 +100,7 @@ flow('what is doubtful is asked, answered by keys, and remembered', async (t) =>
   await demo.says(/model/i);
   await demo.ready();
   const before = await demo.robot();
-  await demo.ask('go to the blue room with the block');
+  await demo.ask('head to the blue room with the block');
   await demo.by('question').waitFor();
   await t.check(async () => (await demo.by('choice').count()) >= 2, 'choices side by side');
   await t.equal(() => demo.plain(), null, 'what it understood');
@@ -121,14 +121,14 @@ flow('what is doubtful is asked, answered by keys, and remembered', async (t) =>
   await t.check(async () => /yellow block in the blue room/.test(await demo.world()), () => demo.world());
   await demo.press('remember');
   await t.until('it is learned', async () => (await demo.by('lessons').count()) > 0);
-  await t.check(async () => /go to the blue room with the block/.test(await demo.by('lessons').textContent()), 'the lesson');
+  await t.check(async () => /head to the blue room with the block/.test(await demo.by('lessons').textContent()), 'the lesson');
   await t.equal(() => demo.by('remember').count(), 0, 'it is kept once');
   await demo.ask('go to the green room');
   await demo.planned();
   await t.equal(() => demo.by('question').count(), 0, 'questions where one reading alone can be meant');
   await demo.press('undo');
-  await demo.ask('go to the red room with the block');
+  await demo.ask('head to the red room with the block');
   await demo.by('question').waitFor();
   await demo.press('none-of-these');
-  await t.equal(() => demo.by('lesson').inputValue(), 'go to the red room with the block', 'the words of the lesson');
+  await t.equal(() => demo.by('lesson').inputValue(), 'head to the red room with the block', 'the words of the lesson');
 });

@@ -11,6 +11,10 @@ use groundling::corpus::{Example, Pair};
 use groundling::learn::genlex::{CoarseCharts, Domain, Scope, generate};
 use groundling::learn::{CLEANUP_LEXICON, Config, DEMONSTRATION_LEXICON, Trainer, seed_model};
 use groundling::logic::print_human;
+use proptest::prelude::{ProptestConfig, prop};
+use proptest::prop_assert;
+use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
+use std::cell::RefCell;
 
 const LIST: &str = include_str!("../../../assets/lexicon/closed.txt");
 
@@ -294,4 +298,30 @@ fn the_pieces_of_a_meaning_come_from_the_words_that_were_taken_for_others() {
     assert_eq!(from("chair"), Some((2, 3)), "{pieces:?}");
     assert_eq!(from("darkviolet"), Some((5, 7)), "{pieces:?}");
     assert_eq!(from("room"), Some((7, 8)), "{pieces:?}");
+}
+
+/// Words that turn, order and join, and what stands around them.
+const ANY: [&str; 40] = [
+    "go", "push", "pushing", "take", "put", "stay", "keep", "leave", "bring", "is", "should",
+    "the", "a", "red", "blue", "biggest", "room", "block", "bag", "it", "there", "one", "other",
+    "to", "into", "in", "of", "out", "away", "from", "with", "not", "don't", "without", "and",
+    "or", "then", "while", "until", "when",
+];
+
+#[test]
+fn any_words_have_an_answer_or_a_reason() {
+    let model = RefCell::new(shipped());
+    let sentence = prop::collection::vec(prop::sample::select(ANY.to_vec()), 1..13);
+    let mut runner = TestRunner::new_with_rng(
+        ProptestConfig { failure_persistence: None, cases: 1_500, ..ProptestConfig::default() },
+        TestRng::deterministic_rng(RngAlgorithm::ChaCha),
+    );
+    runner
+        .run(&sentence, |said| {
+            let command = said.join(" ");
+            let parse = asked(&mut model.borrow_mut(), &command);
+            prop_assert!(parse.answer().is_some() || parse.reason.is_some(), "{}", command);
+            Ok(())
+        })
+        .unwrap();
 }
