@@ -116,7 +116,8 @@ export class Robot extends Opened {
     await this.finds('placed', 'good');
     if (await this.found('stops') !== 'good') return;
     await this.press('arm');
-    await this.at('ready');
+    // So busy a machine may stop it at once; whoever waits for it looks again.
+    await this.t.until('it is ready or stopped', async () => ['ready', 'halted'].includes(await this.stage()));
     await this.hold();
   }
 
@@ -150,9 +151,14 @@ export class Robot extends Opened {
       }
       return false;
     }, 120);
+    await this.allow();
+  }
+
+  /** Allows it to drive, and waits until the key is all that is missing. */
+  async allow() {
     await this.letGo();
     await this.press('arm');
-    await this.at('ready');
+    await this.pause();
   }
 
   /** Asks for something; returns when there is a plan. */

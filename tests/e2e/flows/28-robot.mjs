@@ -88,8 +88,7 @@ peered('what was done of a sequence is not done again behind a surprise', { seco
   await robot.letGo();
   await robot.press('release');
   await robot.finds('placed', 'good');
-  await robot.press('arm');
-  await robot.at('ready');
+  await robot.allow();
   await robot.hold();
   let again = false;
   await robot.underway('it is in the blue room', async () => {
@@ -141,8 +140,7 @@ peered('an emergency stop by key, by button and by letting go stops it', { secon
   await robot.letGo();
   await robot.press('release');
   await robot.at('off');
-  await robot.press('arm');
-  await robot.at('ready');
+  await robot.allow();
   await robot.drive();
   from = peer.frames.length;
   await robot.press('stop');
@@ -150,8 +148,7 @@ peered('an emergency stop by key, by button and by letting go stops it', { secon
   await stands(t, peer, from);
   await robot.letGo();
   await robot.press('release');
-  await robot.press('arm');
-  await robot.at('ready');
+  await robot.allow();
   // The button on the page is a dead man's key, too.
   await robot.by('hold').scrollIntoViewIfNeeded();
   const box = await robot.by('hold').boundingBox();
