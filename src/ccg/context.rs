@@ -187,7 +187,7 @@ impl Context<'_> {
         }
     }
 
-    /// Whether the words right beside it show that a closed word is not used in this category.
+    /// Whether the words right beside it show that words are not used in this category.
     fn is_told_otherwise(&self, item: &Lexical, own: &[String], rest: &[String]) -> bool {
         let syntaxes = &self.model.grammar.syntaxes;
         let (syntax, next) = (item.category.syntax, rest.first());
