@@ -10,8 +10,8 @@ use super::features::Feature;
 use super::lexicon::EntryId;
 use super::model::Model;
 use super::word_kind::{
-    begins_phrase, brings_thing, is, is_noun, is_place_word, is_preposition, is_verb_word,
-    takes_place, takes_thing,
+    begins_phrase, brings_thing, is, is_bare_noun, is_noun, is_place_word, is_preposition,
+    is_verb_word, takes_place, takes_thing,
 };
 
 /// Before a pronoun these often say nothing: "the room with the chair in it".
@@ -113,9 +113,14 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         at + 1 < before && is_verb_word(model, &words[at]) && has_more()
     };
     let is_said_again = |at: usize| words[at..].iter().any(|word| is_pronoun(word));
+    let moves_thing = |at: usize| {
+        let noun = words[at + 1..].iter().find(|word| is_bare_noun(model, word));
+        words[at] == "move"
+            && noun.is_some_and(|noun| !matches!(&**noun, "room" | "robot" | "door"))
+    };
     let brings = |at: usize| {
         is(model, &words[at], brings_thing)
-            && !is(model, &words[at], takes_place)
+            && (!is(model, &words[at], takes_place) || moves_thing(at))
             && words.get(at + 1).is_some_and(|next| {
                 is_pronoun(next) || begins_phrase(model, next) && !is_said_again(at + 1)
             })

@@ -53,6 +53,12 @@ const AWAY: [&str; 5] = ["out", "from", "off", "away", "outside"];
 /// Verbs by which something goes on, and nothing is done.
 const LASTS: [&str; 3] = ["stay", "keep", "remain"];
 
+/// Verbs of what is to become of something.
+const MODALS: [&str; 8] = ["should", "must", "shall", "needs", "need", "may", "will", "ought"];
+
+/// What begins another clause without a verb that means anything of its own.
+const FRAMED: [&str; 3] = ["make", "ensure", "see"];
+
 /// Words for what is in a room.
 const HOLDS: [&str; 9] =
     ["with", "without", "has", "have", "contains", "contain", "containing", "having", "holding"];
@@ -210,7 +216,12 @@ impl Context<'_> {
                 next.is_some_and(|next| is_adjective(self.model, next) || EXCEPT.contains(&&**next))
             }
             [but, ..] if EXCEPT.contains(&&**but) => match text {
-                "N\\N/NP" => next.is_some_and(|next| is_verb_word(self.model, next)),
+                // "But make sure" is another clause, and "the block but the bag" one thing instead of another.
+                "N\\N/NP" => {
+                    next.is_some_and(|next| {
+                        is_verb_word(self.model, next) || FRAMED.contains(&&**next)
+                    }) || own.len() == 1 && self.is_one_thing(item.start)
+                }
                 "N\\N\\(N\\N)/N" => says(&self.words[..item.start], &["nothing", "anything"]),
                 _ => false,
             },
@@ -228,6 +239,18 @@ impl Context<'_> {
             {
                 let as_well = |word: &String| matches!(&**word, "too" | "well" | "also" | "so");
                 !own.iter().chain(rest).any(as_well)
+            }
+            // "The block should go to the red room" sends no robot there.
+            [_] if text == "S/PP" && before.is_some_and(|(word, _)| MODALS.contains(&word)) => {
+                self.begins_with_thing(item.start)
+            }
+            // One leaves a place; to leave a thing is to let it be.
+            [leave] if text == "S/NP" && matches!(&**leave, "leave" | "leaving") => {
+                let noun = rest.iter().position(|word| is_bare_noun(self.model, word));
+                noun.is_some_and(|at| {
+                    let names_room = |word: &String| matches!(&**word, "room" | "'s");
+                    !PLACES.contains(&&*rest[at]) && !rest.get(at + 1).is_some_and(names_room)
+                })
             }
             // "And stay out" adds nothing to leaving.
             _ if text == "S\\S" && says(own, &AWAY) && says(own, &LASTS) => {
@@ -306,6 +329,27 @@ impl Context<'_> {
             |at: usize| at > 0 && is_place_word(self.model, &self.words[at]) && !tells(at);
         let verb = (0..end).find(|&at| is(self.model, &self.words[at], brings_thing));
         verb.is_some_and(|verb| (verb + 1..end).any(is_place))
+    }
+
+    /// Whether "the" and a noun stand before a place: one thing, no several of which some could be excluded.
+    fn is_one_thing(&self, at: usize) -> bool {
+        at > 1
+            && self.words[at - 2] == "the"
+            && is_bare_noun(self.model, &self.words[at - 1])
+            && !PLACES.contains(&&*self.words[at - 1])
+    }
+
+    /// Whether it is said of a thing that something is to become of it, and not what: "the chair should be moved".
+    pub(super) fn is_open(&self) -> bool {
+        let modal = self.words.iter().position(|word| MODALS.contains(&&**word));
+        modal.is_some_and(|at| {
+            let says_what = |word: &String| {
+                is(self.model, word, is_noun)
+                    || is_adjective(self.model, word)
+                    || is(self.model, word, is_preposition)
+            };
+            self.begins_with_thing(at) && !self.words[at + 1..].iter().any(says_what)
+        })
     }
 
     /// Where the verb or place stands before which no clause that begins at a place ends: a thing that is joined to another is

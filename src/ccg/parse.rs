@@ -348,8 +348,12 @@ fn fill_at(model: &mut Model, hearing: &Hearing, leniency: Leniency, config: Cha
         (0..hearing.words.len()).map(|at| is_strict && context.is_within_phrase(at)).collect();
     let bare: Vec<usize> =
         (0..hearing.words.len()).map(|start| context.bare_until(start)).collect();
+    let is_open = context.is_open();
     let admit = |_: &Grammar, (start, end): (usize, usize), category: Category| {
-        !category.syntax.is_sentence() || !within[start] && end > bare[start]
+        !category.syntax.is_sentence()
+            || !within[start]
+                && end > bare[start]
+                && !(is_open && start == 0 && category.syntax == SyntaxId::S)
     };
     fill(model, &hearing.words, items, admit, config)
 }

@@ -89,6 +89,14 @@ export class Robot extends Opened {
     await this.page.keyboard.down('Space');
   }
 
+  /** Holds the button that is a dead man's key. */
+  async holdButton() {
+    await this.by('hold').scrollIntoViewIfNeeded();
+    const box = await this.by('hold').boundingBox();
+    await this.page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await this.page.mouse.down();
+  }
+
   letGo() {
     return this.page.keyboard.up('Space');
   }
@@ -131,13 +139,15 @@ export class Robot extends Opened {
   async pause() {
     await this.letGo();
     await this.t.until('it waits for the key', async () => {
-      if (await this.stage() === 'ready') return true;
+      const stage = await this.stage();
+      if (stage === 'ready') return true;
+      if (stage === 'off' && await this.found('stops') === 'good') await this.press('arm');
       if (await this.isTooSlow()) {
         await this.goOn();
         await this.letGo();
       }
       return false;
-    });
+    }, 120);
   }
 
   /** The base is seen to stop by itself, tried again where too little was seen of it, and driving is allowed. */
