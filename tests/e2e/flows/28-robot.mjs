@@ -42,7 +42,9 @@ async function stands(t, peer) {
   await t.equal(last, [[0, 0], [0, 0], [0, 0]], 'what it was told last');
   const told = peer.velocities().length;
   await new Promise((resolve) => { setTimeout(resolve, 700); });
-  await t.equal(peer.velocities().length, told, 'it is told no more');
+  // A busy machine may stop it once more.
+  const moves = peer.velocities().slice(told).filter(([ahead, turning]) => ahead !== 0 || turning !== 0);
+  await t.equal(moves, [], 'it is told to move no more');
 }
 
 flow('a simulated robot is looked at, then drives as long as the key is held', { seconds: 300 }, async (t) => {
