@@ -127,6 +127,12 @@ flow('what is doubtful is asked, answered by keys, and remembered', async (t) =>
   await demo.planned();
   await t.equal(() => demo.by('question').count(), 0, 'questions where one reading alone can be meant');
   await demo.finish();
+  await demo.ask('go to the blue room with the block');
+  await demo.says(/^There is no blue room that has the block in it\. Name one thing that is in the room\.$/);
+  await demo.ask('take the block to the blue room');
+  await demo.planned();
+  await demo.finish();
+  await t.check(async () => /yellow block in the blue room/.test(await demo.world()), () => demo.world());
   await demo.ask('move to the red room with the block');
   await demo.by('question').waitFor();
   await demo.press('none-of-these');
