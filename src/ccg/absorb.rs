@@ -131,10 +131,11 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
             && is(model, &words[at], takes_place)
             && words.get(at + 1).is_some_and(|next| is_place_word(model, next))
     };
-    // "Have the chair in and the block out."
+    // "Have the chair in and the block out"; "then move it back in".
     let is_cut_off = |at: usize| {
+        let is_back = || at > 0 && (is_pronoun(&words[at - 1]) || words[at - 1] == "back");
         is_within_or_out(&words[at])
-            && closed.get(at + 1).is_some_and(|next| *next == Some(Kind::Joins))
+            && closed.get(at + 1).map_or_else(is_back, |next| *next == Some(Kind::Joins))
     };
     let speaks = |at: usize| {
         let goes_on = || is_turned(at) || is_thing(at) || is_denied(at);

@@ -1,4 +1,4 @@
-//! What is named again: a pronoun, or "the room" and no more, stands for what the clause before it named.
+//! Words that name again what was named before: pronouns, and "the room" and no more.
 
 use super::closed::Kind;
 use super::model::Model;
@@ -7,12 +7,25 @@ use super::word_kind::is_place_word;
 /// Stand for a thing or a place.
 const PRONOUNS: [&str; 2] = ["it", "them"];
 
+/// Stand for a noun.
+const NOUNS: [&str; 2] = ["one", "ones"];
+
 /// Said alone of a place.
 const WITHIN_OR_OUT: [&str; 4] = ["in", "inside", "out", "outside"];
 
 /// Whether a word stands for what was named before.
 pub(super) fn is_pronoun(word: &str) -> bool {
     PRONOUNS.contains(&word)
+}
+
+/// Whether a word stands for a place or thing that was named before.
+pub(super) fn names_phrase(word: &str) -> bool {
+    is_pronoun(word) || word == "there"
+}
+
+/// Whether a word stands for a noun that was said before.
+pub(super) fn names_noun(word: &str) -> bool {
+    NOUNS.contains(&word)
 }
 
 /// Whether a word says alone where something is, seen from a place that was named before: "and stay out".

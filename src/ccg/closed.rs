@@ -19,13 +19,16 @@ pub enum Kind {
     Orders,
     /// Less, or more: it limits to one thing, or speaks of all.
     Limits,
+    /// What no goal here can be: no entry speaks for it.
+    Bars,
 }
 
-const KINDS: [(&str, Kind); 4] = [
+const KINDS: [(&str, Kind); 5] = [
     ("turns", Kind::Turns),
     ("joins", Kind::Joins),
     ("orders", Kind::Orders),
     ("limits", Kind::Limits),
+    ("bars", Kind::Bars),
 ];
 
 /// Before a word with which a sentence begins.

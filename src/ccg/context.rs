@@ -91,7 +91,8 @@ impl Context<'_> {
         // "Leave" is said of the place where one is; with more behind it, something else is left.
         if syntax == SyntaxId::LIST && item.end < self.words.len() {
             let joins = matches!(self.closed[item.end], Some(Kind::Joins | Kind::Orders));
-            return joins || self.empty[item.end].is_some();
+            let is_silent = self.empty[item.end].is_some();
+            return joins || is_silent && !begins_phrase(self.model, &self.words[item.end]);
         }
         // Behind a clause "there" is where that one led, not where one was ("push it into the red room, then get out of there").
         let orders = |kind: &Option<Kind>| matches!(kind, Some(Kind::Joins | Kind::Orders));
@@ -144,7 +145,7 @@ impl Context<'_> {
                     && self.closed[..item.start].contains(&Some(Kind::Joins))
             }
             // "Any room" is a command by itself, but not behind a preposition: "by any room".
-            "S/N" => before.is_some_and(|word| is_place_word(self.model, word)),
+            "S/N" => before.is_some_and(|word| word == "of" || is_place_word(self.model, word)),
             // What is not to be done until something is so is not to be so.
             "S/S" if says(own, &UNTIL) => self.closed[..item.start].contains(&Some(Kind::Turns)),
             // "The room that only has a chair" has nothing else.
@@ -200,7 +201,40 @@ impl Context<'_> {
         let before = item.start.checked_sub(1).map(|at| (self.words[at].as_str(), self.closed[at]));
         let does = |kind: Kind| self.closed[item.start..item.end].contains(&Some(kind));
         let text = syntaxes.text(syntax);
+        let behind = &self.words[..item.start];
         match own {
+            // "The red room and no block" is no room without one, if none was said to have anything.
+            [and, no] if and == "and" && no == "no" && text.starts_with("N\\N") => {
+                !says(behind, &HOLDS)
+            }
+            // What one passes is told from where one goes, which is said behind it: "go past the chair to the blue room".
+            _ if text == "T/NP" => {
+                let clause = rest.iter().zip(&self.closed[item.end..]).map_while(|(word, kind)| {
+                    (!matches!(kind, Some(Kind::Joins | Kind::Orders))).then_some(word)
+                });
+                clause.into_iter().any(|word| matches!(&**word, "to" | "into"))
+            }
+            // Of what should be somewhere there may be two.
+            _ if text == "S\\NP\\(S\\NP/NP)\\NP/NP" => !says(behind, &MODALS),
+            // "And put the chair in it" is done where one goes, not after that.
+            [and] if and == "and" && text == "T\\T/T" => {
+                let [.., within, it] = rest else { return false };
+                is_pronoun(it) && is_within_or_out(within)
+            }
+            // Not to leave a place without a thing is no place without it.
+            [without] if without == "without" && text == "N\\N/NP" => {
+                let turns = |kind: &&Option<Kind>| **kind == Some(Kind::Turns);
+                says(behind, &LEAVES) && self.closed[..item.start].iter().filter(turns).count() > 1
+            }
+            // "The chair should be here and the block shouldn't" are two clauses, of which the first says where.
+            _ if does(Kind::Joins) && text.ends_with("\\NP)\\NP/NP") => says(behind, &MODALS),
+            // Behind what was brought to a place, it goes out of that one, not of where it was.
+            _ if text == "PP"
+                && says(own, &["out", "away"])
+                && self.brings_somewhere(item.start) =>
+            {
+                before.is_some_and(|(word, _)| is_pronoun(word))
+            }
             // What is denied stands behind "not".
             [not] if not == "not" && rest.is_empty() => true,
             // "And one in the blue room" is another thing, no room.
@@ -256,6 +290,10 @@ impl Context<'_> {
             _ if text == "S\\S" && says(own, &AWAY) && says(own, &LASTS) => {
                 !LEAVES.contains(&&*self.words[0])
             }
+            // "The red room should contain the chair" says what is to be there, not which room is meant.
+            [_] if text.starts_with("N\\N") && says(own, &HOLDS) => {
+                before.is_some_and(|(word, _)| MODALS.contains(&word))
+            }
             // What was brought somewhere is a clause of its own: "put the chair in the red room and stand next to it".
             _ if text == "LIST\\NP/AP" => self.brings_somewhere(item.start),
             // "Only go there" is no more than that; "only the chair" is said of what is there.
@@ -273,13 +311,13 @@ impl Context<'_> {
                 before.is_some_and(|(word, _)| is(self.model, word, is_preposition))
                     && self.closed[..item.start].contains(&Some(Kind::Joins))
             }
-            // "The room with the chair and the block" has both: nothing is done to the second.
-            _ if does(Kind::Joins) && text.ends_with("\\NP/NP") && !text.starts_with("N\\N") => {
-                let word = self.words[..item.start]
-                    .iter()
-                    .rev()
-                    .find(|word| !begins_phrase(self.model, word));
-                word.is_some_and(|word| HOLDS.contains(&&**word))
+            // "The room with the chair and the block in it" has both: nothing is done to the second.
+            _ if does(Kind::Joins)
+                && (text.ends_with("\\NP/NP") && !text.starts_with("N\\N")
+                    || (text.ends_with("/AP") || text.ends_with("/(S\\NP)"))
+                        && !rest.iter().any(|word| is_verb_word(self.model, word))) =>
+            {
+                self.has(item.start)
             }
             _ => false,
         }
@@ -331,6 +369,16 @@ impl Context<'_> {
         verb.is_some_and(|verb| (verb + 1..end).any(is_place))
     }
 
+    /// Whether a phrase ends at a place that tells what is in another; what should be there is none of that.
+    fn has(&self, end: usize) -> bool {
+        let before = &self.words[..end];
+        let verb = before.iter().rposition(|word| !begins_phrase(self.model, word));
+        verb.is_some_and(|at| {
+            let is_told = at > 0 && MODALS.contains(&&*before[at - 1]);
+            HOLDS.contains(&&*before[at]) && !is_told
+        })
+    }
+
     /// Whether "the" and a noun stand before a place: one thing, no several of which some could be excluded.
     fn is_one_thing(&self, at: usize) -> bool {
         at > 1
@@ -372,10 +420,15 @@ impl Context<'_> {
                 || is_place_word(self.model, word)
                     && (*at + 1 < self.words.len() || !is(self.model, word, is_preposition))
         };
-        let is_phrase =
-            self.words[joint + 1..].first().is_some_and(|next| begins_phrase(self.model, next));
+        let behind = &self.words[joint + 1..];
+        let is_phrase = behind.first().is_some_and(|next| begins_phrase(self.model, next));
         let noun = self.words[joint + 1..].iter().find(|word| is_bare_noun(self.model, word));
         let is_place = noun.is_some_and(|noun| PLACES.contains(&&**noun));
+        // "The room that has the chair and the block in it" says no more than what is in it.
+        let is_verb = |word: &String| is_verb_word(self.model, word);
+        if joins && !is_place && self.has(joint) && !behind.iter().any(is_verb) {
+            return usize::MAX;
+        }
         if joins && is_phrase && (!is_place || self.moves_thing(joint)) {
             (joint + 1..self.words.len()).find(says).unwrap_or(usize::MAX)
         } else {

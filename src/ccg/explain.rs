@@ -1,7 +1,7 @@
 //! Why a reading has its score: which entries, rules and features it used and what each added. What they add, summed
 //! from the first to the last, is the score to the last bit.
 
-use super::derivation::Derivation;
+use super::category::Category;
 use super::features::Feature;
 use super::hearing::Hearing;
 use super::lexicon::{EntryId, Origin};
@@ -51,7 +51,11 @@ pub struct EntryText {
 impl EntryText {
     /// The text of an entry.
     pub fn of(model: &Model, id: EntryId) -> Self {
-        let category = model.lexicon.category(id);
+        Self::used(model, id, model.lexicon.category(id))
+    }
+
+    /// The text of an entry with the category that it has where it is used: a pronoun means what was named before it.
+    fn used(model: &Model, id: EntryId, category: Category) -> Self {
         EntryText {
             words: model.lexicon.lexeme(model.lexicon.entry(id).lexeme).words.join(" "),
             syntax: model.grammar.syntaxes.text(category.syntax).to_owned(),
@@ -69,9 +73,12 @@ impl Explanation {
         let occurring = derivation.features(model, reading.form, &words, &empty);
         let parts = parts(model, &occurring);
         let score = parts.iter().fold(0.0, |sum, part| sum + part.adds);
-        let leaves = derivation.leaves().into_iter().filter_map(Derivation::entry);
+        let leaves = derivation.leaves().into_iter();
+        let used =
+            leaves.filter_map(|leaf| Some(EntryText::used(model, leaf.entry()?, leaf.category())));
         let absorbed = derivation.absorbed().into_iter().filter_map(|at| *empty.get(at)?);
-        let entries = leaves.chain(absorbed).map(|id| EntryText::of(model, id)).collect();
+        let silent = absorbed.map(|id| EntryText::of(model, id));
+        let entries = used.chain(silent).collect();
         Explanation { score, parts, entries }
     }
 }

@@ -3,7 +3,7 @@
 
 use super::category::Category;
 use super::chart::Lexical;
-use super::closed::closed;
+use super::closed::{Kind, closed};
 use super::lexicon::{EntryId, Origin, boxed};
 use super::model::Model;
 
@@ -16,6 +16,9 @@ pub fn lexical_items(model: &Model, words: &[String]) -> Vec<Lexical> {
         let longest = (start + model.lexicon.longest()).min(words.len());
         for end in start + 1..=longest {
             let is_closed = closed[start..end].iter().any(Option::is_some);
+            if closed[start..end].contains(&Some(Kind::Bars)) {
+                continue;
+            }
             for &entry in model.lexicon.entries_for(&words[start..end]) {
                 if model.lexicon.is_empty_entry(entry) || is_closed && !keeps(model, entry) {
                     continue;

@@ -19,6 +19,7 @@ mod filling;
 pub mod chart;
 mod word_kind;
 mod anaphora;
+pub mod antecedent;
 pub mod absorb;
 pub mod lookup;
 mod spelling;

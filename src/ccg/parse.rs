@@ -3,6 +3,7 @@
 //! closed word: what can be read only without one is no answer.
 
 use super::absorb::{Leniency, absorbing, absorption, clauses_behind};
+use super::antecedent;
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Edge, Lexical};
 use super::clauses::Clauses;
@@ -14,7 +15,7 @@ use super::hearing::{self, Hearing, taken};
 use super::lexicon::{EntryId, boxed};
 use super::lookup::lexical_item;
 use super::model::Model;
-use super::sense::makes_sense;
+use super::sense::{defeats_itself, makes_sense};
 use super::sentence::{is_too_long, words};
 use super::syntax::SyntaxId;
 use crate::logic::order::{sort_by, sort_by_key};
@@ -26,6 +27,10 @@ use std::rc::Rc;
 
 /// By how much the reading leads that a sentence was said to mean.
 const PREFERENCE: f64 = 1.0;
+
+/// By how much a reading that defeats itself leads where the others are not believed: words would have to mean something else
+/// than they mostly do.
+const FORCED: f64 = 4.0;
 
 /// Why a command has no single answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,6 +91,8 @@ pub struct Parse {
     pub reason: Option<Reason>,
     /// Derivations tried, in both passes.
     pub tried: usize,
+    /// Whether a reading that defeats itself leads the others by far: that was said, and none of them.
+    pub is_forced: bool,
     chart: Chart,
 }
 
@@ -100,6 +107,7 @@ impl Parse {
             hearing: Hearing::default(),
             reason: None,
             tried: 0,
+            is_forced: false,
             chart,
         }
     }
@@ -320,7 +328,7 @@ fn fill_piece(
     let skipping = |at: usize| model.value(&model.absorption_features(&words[at], empty[at]));
     let outside = (0..words.len()).filter(|at| !(start..end).contains(at));
     outside.for_each(|at| costs[at] = Some(skipping(at)));
-    let mut items = hearing.items(model);
+    let mut items = antecedent::items(model, hearing);
     items.retain(|item| start <= item.start && item.end <= end);
     fill(model, words, absorbing(items, &costs), |_, _, _| true, config)
 }
@@ -339,7 +347,7 @@ fn fill_clauses(model: &mut Model, hearing: &Hearing, config: ChartConfig) -> Pa
 
 fn fill_at(model: &mut Model, hearing: &Hearing, leniency: Leniency, config: ChartConfig) -> Parse {
     let costs = absorption(model, &hearing.words, &hearing.empty, leniency);
-    let items = absorbing(hearing.items(model), &costs);
+    let items = absorbing(antecedent::items(model, hearing), &costs);
     // Beside what turns round or orders, half a phrase is no clause: "never go to the red, room after the blue room".
     let orders = |kind: &Option<Kind>| matches!(kind, Some(Kind::Turns | Kind::Orders));
     let is_strict = hearing.closed.iter().any(orders);
@@ -383,7 +391,8 @@ pub fn fill_knowing(
     let chart = Chart::fill(grammar, features, words.len(), lexical, admit, config);
     let readings = readings(model, goals, &chart);
     let tried = chart.tried;
-    let mut parse = Parse { tried, ..Parse::new(words.to_vec(), readings, chart) };
+    let is_forced = is_forced(model, goals, &chart, &readings);
+    let mut parse = Parse { tried, is_forced, ..Parse::new(words.to_vec(), readings, chart) };
     if parse.tied() > 1 {
         parse.reason = Some(Reason::Tie);
     }
@@ -404,15 +413,38 @@ fn readings(model: &mut Model, goals: &mut Goals, chart: &Chart) -> Vec<Reading>
     ranked(&model.grammar.terms, found)
 }
 
-/// Whether an edge over a whole sentence means a goal that somebody could mean, or a task over time: a command that was
-/// made a clause of one is no more than a command.
-pub fn is_goal(grammar: &Grammar, edge: &Edge) -> bool {
+/// Whether the best of a chart's roots that defeat themselves leads all readings by far. It is of the best reading's kind, and
+/// silent about no more than that one.
+fn is_forced(model: &mut Model, goals: &mut Goals, chart: &Chart, readings: &[Reading]) -> bool {
+    let Model { grammar, features, .. } = model;
+    let Some(best) = readings.first() else { return false };
+    let kind = chart.edge(best.edge).category.syntax;
+    let is_void = |&root: &u32| {
+        let Edge { category, .. } = *chart.edge(root);
+        category.syntax == kind
+            && is_sentence(grammar, chart.edge(root))
+            && defeats_itself(&grammar.terms, &grammar.sorts, category.meaning)
+    };
+    let Some(void) = chart.roots().find(is_void) else { return false };
+    let Edge { category, score, .. } = *chart.edge(void);
+    let goal = goals.get(grammar, category.meaning);
+    let silent = |edge| Derivation::of(chart, edge, &EntryId::from_item).absorbed().len();
+    goal.scored(features, score) > best.score + FORCED && silent(void) <= silent(best.edge)
+}
+
+/// Whether an edge over a whole sentence means a goal, or a task over time: a command that was made a clause of one is no more
+/// than a command.
+fn is_sentence(grammar: &Grammar, edge: &Edge) -> bool {
     let Category { syntax, meaning } = edge.category;
-    let is_goal = match syntax {
+    match syntax {
         SyntaxId::T => !edge.made.is_shifted(),
         _ => syntax.is_sentence() && matches!(grammar.terms.ty(meaning), ty::TRUTH | ty::RUN),
-    };
-    is_goal && makes_sense(&grammar.terms, &grammar.sorts, meaning)
+    }
+}
+
+/// Whether an edge over a whole sentence means what somebody could mean.
+pub fn is_goal(grammar: &Grammar, edge: &Edge) -> bool {
+    is_sentence(grammar, edge) && makes_sense(&grammar.terms, &grammar.sorts, edge.category.meaning)
 }
 
 /// Goals with their scores and edges, ranked. Goals that differ in the order of the arguments of a commutative relation

@@ -8,7 +8,29 @@ use crate::logic::{LogicError, Node, Sorts, TermId, Terms, ty};
 /// Whether somebody could mean a goal.
 pub(super) fn makes_sense(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
     let mut rooms = Rooms::default();
-    says_something(terms, sorts, &mut rooms, term) && !rooms.are_one()
+    says_something(terms, sorts, &mut rooms, term)
+        && !rooms.are_one()
+        && !defeats_itself(terms, sorts, term)
+}
+
+/// Whether a goal, or a part of it, is said so that it can never be, or always is: whatever else the words might mean is not
+/// what was said.
+pub(super) fn defeats_itself(terms: &Terms, sorts: &Sorts, term: TermId) -> bool {
+    let args = match terms.node(term) {
+        Node::Constant(_) | Node::Variable(_) => return false,
+        Node::Lambda { body, .. } => return defeats_itself(terms, sorts, body),
+        Node::Apply { args, .. } => args,
+    };
+    let is_void = match (terms.head_name(term), args) {
+        (Some("near" | "left" | "right"), &[thing, other]) => {
+            thing == other && !is_robot(terms, thing)
+        }
+        (Some("exists"), _) => are_homes(terms, term),
+        (Some("all"), parts) => forbids_itself(terms, parts),
+        (Some("and"), parts) => denies_idly(terms, sorts, parts),
+        _ => false,
+    };
+    is_void || args.iter().any(|&arg| defeats_itself(terms, sorts, arg))
 }
 
 /// Which kinds of rooms a goal speaks of.
@@ -211,6 +233,39 @@ fn is_undone(terms: &Terms, first: TermId, next: TermId) -> bool {
     denied == Some(first) && !is_robot(terms, thing)
 }
 
+/// Whether what is never to be so is to be reached ("go to the chair but don't touch it").
+fn forbids_itself(terms: &Terms, parts: &[TermId]) -> bool {
+    let forbidden = parts.iter().filter_map(|&part| {
+        let &[always] = terms.arguments(part, "always")? else { return None };
+        terms.denied(always)
+    });
+    let forbidden: Vec<TermId> = forbidden.collect();
+    parts.iter().any(|&part| {
+        let mut next = part;
+        while let Some(&[_, reached, then]) = terms.arguments(next, "until") {
+            if forbidden.contains(&reached) {
+                return true;
+            }
+            next = then;
+        }
+        false
+    })
+}
+
+/// Whether it is that several are each in the room where they are: they always are, and to deny it is to have each elsewhere
+/// than it will be ("put every chair in a different room").
+fn are_homes(terms: &Terms, some: TermId) -> bool {
+    let parts = said_of(terms, some, "exists").unwrap_or_default();
+    parts.iter().any(|&part| {
+        let Some((thing, of_place)) = placed(terms, part) else { return false };
+        let is_own = |part: &TermId| match terms.arguments(*part, "in") {
+            Some(&[of, _]) => terms.node(of) == Node::Variable(1),
+            _ => false,
+        };
+        terms.node(thing) == Node::Variable(0) && of_place.iter().any(is_own)
+    })
+}
+
 /// Whether a thing is the robot.
 fn is_robot(terms: &Terms, thing: TermId) -> bool {
     let is_agent = |part: TermId| terms.head_name(part) == Some("agent");
@@ -239,6 +294,17 @@ fn mixes(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
             a.0 == b.0 && a.1 == b.1 && a.2 != b.2
         };
         (1..all.len()).any(|at| all[..at].iter().any(|other| differs(other, &all[at])))
+    })
+}
+
+/// Whether something is said not to have a quality beside another of that kind: nothing red is yellow ("the blocks in the red
+/// room except the yellow one").
+fn denies_idly(terms: &Terms, sorts: &Sorts, parts: &[TermId]) -> bool {
+    let claimed: Vec<_> = parts.iter().filter_map(|&part| quality(terms, sorts, part)).collect();
+    let denied = parts.iter().filter_map(|&part| quality(terms, sorts, terms.denied(part)?));
+    let mut denied = denied.into_iter();
+    denied.any(|(of, kind, name)| {
+        claimed.iter().any(|&(own, claimed, other)| own == of && claimed == kind && other != name)
     })
 }
 

@@ -14,7 +14,8 @@ pub fn probability(model: &Model, parse: &Parse) -> Option<(f64, bool)> {
     parse.answer()?;
     let doubt = model.doubt.as_ref()?;
     let probability = doubt.probability(&signs(model, parse)?);
-    Some((probability, doubt.asks(probability) || lacks_verb(model, parse)))
+    let asks = doubt.asks(probability) || parse.is_forced || lacks_verb(model, parse);
+    Some((probability, asks))
 }
 
 /// Whether words were skipped, and no word that is left says what to do: one of those may have been the verb, and could

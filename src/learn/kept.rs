@@ -2,6 +2,7 @@
 //! and the forest of its goals, as long as the lexicon says the same of it. What is read so is what would be read anew.
 
 use crate::ccg::absorb::{Leniency, absorbed, absorbing};
+use crate::ccg::antecedent;
 use crate::ccg::chart::{Chart, ChartConfig, Derivations, Lexical};
 use crate::ccg::goals::Goals;
 use crate::ccg::hearing::taken;
@@ -154,7 +155,7 @@ impl Kept {
 impl Heard {
     fn new(model: &mut Model, words: &[String]) -> Self {
         let hearing = Hearing::new(model, words);
-        let items = hearing.items(model);
+        let items = antecedent::items(model, &hearing);
         let Hearing { words, empty, .. } = &hearing;
         let taken = |item: &Lexical| {
             let (own, entry) = (&words[item.own.0..item.own.1], EntryId::from_item(item.item));

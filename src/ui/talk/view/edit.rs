@@ -1,6 +1,7 @@
 //! Changing the room: tools, and other worlds: those that come with the page, random ones, and as text.
 use crate::domain::{Blueprint, Color, Lock, Shape, Size, Style};
 use crate::ui::page::shared::Shared;
+use crate::ui::page::view::fields::number;
 use crate::ui::page::view::select::select;
 use crate::ui::page::view::sends::sends;
 use crate::ui::talk::action::Action;
@@ -8,7 +9,7 @@ use crate::ui::talk::room::edit::Look;
 use crate::ui::talk::room::state::{Room, Tool};
 use crate::ui::talk::state::State;
 use crate::ui::talk::words::Text;
-use web_sys::{Event, HtmlInputElement, HtmlTextAreaElement, SubmitEvent};
+use web_sys::{HtmlTextAreaElement, SubmitEvent};
 use yew::{Callback, Html, InputEvent, TargetCast, html};
 
 /// The tools, with what they are set to.
@@ -88,12 +89,13 @@ pub(super) fn worlds(state: &State, shared: &Shared, act: &Callback<Action>) -> 
         event.prevent_default();
         Action::DrawWorld
     });
-    let number = |id: &'static str,
-                  label: &'static str,
-                  value: u32,
-                  range: (u32, u32),
-                  set: fn(Blueprint, u32) -> Blueprint| {
-        field(id, label, value, range, act.reform(move |n| Action::SetBlueprint(set(blueprint, n))))
+    let whole = |id: &'static str, label: &'static str, values: [u32; 3], set: Callback<u32>| {
+        let [value, least, most] = values.map(f64::from);
+        number(id.into(), label.into(), [value, least, most, 1.0], false, set.reform(|n| n as u32))
+    };
+    let count = |id, label, values, set: fn(Blueprint, u32) -> Blueprint| {
+        let set = act.reform(move |n| Action::SetBlueprint(set(blueprint, n)));
+        whole(id, label, values, set)
     };
     let seeded = act.reform(Action::SetSeed);
     let styled = act
@@ -105,12 +107,12 @@ pub(super) fn worlds(state: &State, shared: &Shared, act: &Callback<Action>) -> 
             <summary>{ text.random_world }</summary>
             <form class="fields" onsubmit={draw}>
                 { select("world-style", text.style, text.styles.into_iter(), blueprint.style as usize, styled) }
-                { number("world-rooms", text.rooms, blueprint.rooms, (3, 12), |b, rooms| Blueprint { rooms, ..b }) }
-                { number("world-columns", text.columns, blueprint.columns, (7, 32), |b, columns| Blueprint { columns, ..b }) }
-                { number("world-rows", text.rows, blueprint.rows, (7, 32), |b, rows| Blueprint { rows, ..b }) }
-                { number("world-objects", text.objects, blueprint.objects, (0, 8), |b, objects| Blueprint { objects, ..b }) }
+                { count("world-rooms", text.rooms, [blueprint.rooms, 3, 12], |b, rooms| Blueprint { rooms, ..b }) }
+                { count("world-columns", text.columns, [blueprint.columns, 7, 32], |b, columns| Blueprint { columns, ..b }) }
+                { count("world-rows", text.rows, [blueprint.rows, 7, 32], |b, rows| Blueprint { rows, ..b }) }
+                { count("world-objects", text.objects, [blueprint.objects, 0, 8], |b, objects| Blueprint { objects, ..b }) }
                 { select("world-lock", text.doors, text.lock_names.into_iter(), blueprint.lock as usize, locked) }
-                { field("world-seed", text.seed, *seed, (0, u32::MAX), seeded) }
+                { whole("world-seed", text.seed, [*seed, 0, u32::MAX], seeded) }
                 <button type="submit" class="plain" data-testid="draw-world">{ text.draw }</button>
             </form>
             <p class="buttons">
@@ -144,33 +146,5 @@ fn as_text(text: &'static Text, drawing: &str, act: &Callback<Action>) -> Html {
                     onclick={sends(act, copied)}>{ text.copy }</button>
             </p>
         </div>
-    }
-}
-
-fn typed(event: &InputEvent) -> Option<u32> {
-    event.target_dyn_into::<HtmlInputElement>()?.value().parse().ok()
-}
-
-fn field(
-    id: &'static str,
-    label: &'static str,
-    value: u32,
-    (min, max): (u32, u32),
-    set: Callback<u32>,
-) -> Html {
-    // What is no number yet is left as it is typed, and put right when the field is left.
-    let typing = set.clone();
-    let typed = Callback::from(move |event: InputEvent| {
-        if let Some(number) = typed(&event) {
-            typing.emit(number);
-        }
-    });
-    let left = set.reform(move |_: Event| value);
-    html! {
-        <label class="field" for={id}>
-            <span>{ label }</span>
-            <input {id} type="number" inputmode="numeric" min={min.to_string()} max={max.to_string()}
-                value={value.to_string()} data-testid={id} oninput={typed} onchange={left} />
-        </label>
     }
 }
