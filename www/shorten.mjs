@@ -1,8 +1,10 @@
 // Part of building the site for release (finish.mjs): what a program and its script give each other gets short names in
-// both, and scripts and styles lose what only people read. Half of wasm-bindgen's names are hashes, which nothing packs.
+// both, and scripts (by terser) and styles lose what only people read. Half of wasm-bindgen's names are hashes, which nothing packs.
 
 import { readFile, readdir, writeFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 
 const CUSTOM = 0;
 const IMPORTS = 2;
@@ -99,13 +101,16 @@ function shortened(program) {
   return { program: Buffer.concat(parts), names };
 }
 
-/** A script with these names, without what only people read. */
-function trimmed(script, names) {
+/** A script with these names, as short as it can be said. */
+async function shortest(script, names) {
+  // Terser is among the packages of tests/e2e (`make packages`), which are not beside this file.
+  const tools = path.resolve(process.env.TOOLS ?? fileURLToPath(new URL('../target/tools', import.meta.url)));
+  const { minify } = createRequire(path.join(tools, 'node/package.json'))('terser');
   const named = script.replaceAll(MADE, (long) => names.get(long) ?? long);
-  return named.replaceAll(/\/\*\*[^]*?\*\//g, '').replaceAll(/^\s*(?:\/\/.*)?\n|^\s+/gm, '');
+  return (await minify(named, { module: true, compress: { passes: 2 } })).code;
 }
 
-/** The same for styles, in which no text holds such signs. */
+/** Styles without what only people read, in which no text holds such signs. */
 const plain = (styles) => styles.replaceAll(/\/\*[^]*?\*\//g, '').replaceAll(/^\s+/gm, '').replaceAll(/(?<=[:;,{]) | (?=\{)/g, '');
 
 const folder = process.env.TRUNK_STAGING_DIR;
@@ -120,7 +125,7 @@ if (process.env.TRUNK_PROFILE === 'release') {
     if (!has && /-[0-9a-f]{8,16}\.js$/.test(file)) return;
     const { program, names } = has ? shortened(await readFile(path.join(folder, beside))) : { names: new Map() };
     if (has) await writeFile(path.join(folder, beside), program);
-    await writeFile(at, trimmed(await readFile(at, 'utf8'), names));
+    await writeFile(at, await shortest(await readFile(at, 'utf8'), names));
   }));
   // Those with a hash for a name Trunk has made small.
   await Promise.all(files.filter((file) => /^[a-z]+\.css$/.test(file)).map(async (file) => {

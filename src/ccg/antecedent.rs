@@ -6,6 +6,7 @@
 use super::anaphora::{names_noun, names_phrase};
 use super::category::Category;
 use super::chart::{Chart, ChartConfig, Lexical};
+use super::filling::all_edges;
 use super::hearing::Hearing;
 use super::model::Model;
 use super::syntax::Atom;
@@ -34,11 +35,16 @@ struct Named {
     named: Vec<(usize, TermId)>,
 }
 
+/// Whether a word of these names again what was named before.
+pub fn looks_back(words: &[String]) -> bool {
+    words.iter().any(|word| names_phrase(word) || names_noun(word))
+}
+
 /// The entries of every span of a command, with what their words name again, where something was named before.
 pub fn items(model: &mut Model, hearing: &Hearing) -> Vec<Lexical> {
     let items = hearing.items(model);
     let words = &hearing.words;
-    if !words.iter().any(|word| names_phrase(word) || names_noun(word)) {
+    if !looks_back(words) {
         return items;
     }
     let phrases = Named { unnamed: unnamed(model, PHRASES), named: phrases(model, hearing) };
@@ -145,7 +151,7 @@ fn phrase(model: &mut Model, words: &[String]) -> Option<TermId> {
     let items = hearing.items(model);
     let config = ChartConfig { in_time: false, ..ChartConfig::default() };
     let Model { grammar, features, .. } = model;
-    let chart = Chart::fill(grammar, features, words.len(), items, |_, _, _| true, config);
+    let chart = Chart::fill(grammar, features, words.len(), items, all_edges, config);
     let mut roots = chart.roots().map(|edge| chart.edge(edge).category);
     let found = roots.find(|category| {
         grammar.syntaxes.is(category.syntax, Atom::NP)

@@ -201,11 +201,11 @@ impl Context<'_> {
         let before = item.start.checked_sub(1).map(|at| (self.words[at].as_str(), self.closed[at]));
         let does = |kind: Kind| self.closed[item.start..item.end].contains(&Some(kind));
         let text = syntaxes.text(syntax);
-        let behind = &self.words[..item.start];
+        let so_far = &self.words[..item.start];
         match own {
             // "The red room and no block" is no room without one, if none was said to have anything.
             [and, no] if and == "and" && no == "no" && text.starts_with("N\\N") => {
-                !says(behind, &HOLDS)
+                !says(so_far, &HOLDS)
             }
             // What one passes is told from where one goes, which is said behind it: "go past the chair to the blue room".
             _ if text == "T/NP" => {
@@ -215,7 +215,7 @@ impl Context<'_> {
                 clause.into_iter().any(|word| matches!(&**word, "to" | "into"))
             }
             // Of what should be somewhere there may be two.
-            _ if text == "S\\NP\\(S\\NP/NP)\\NP/NP" => !says(behind, &MODALS),
+            _ if text == "S\\NP\\(S\\NP/NP)\\NP/NP" => !says(so_far, &MODALS),
             // "And put the chair in it" is done where one goes, not after that.
             [and] if and == "and" && text == "T\\T/T" => {
                 let [.., within, it] = rest else { return false };
@@ -224,10 +224,10 @@ impl Context<'_> {
             // Not to leave a place without a thing is no place without it.
             [without] if without == "without" && text == "N\\N/NP" => {
                 let turns = |kind: &&Option<Kind>| **kind == Some(Kind::Turns);
-                says(behind, &LEAVES) && self.closed[..item.start].iter().filter(turns).count() > 1
+                says(so_far, &LEAVES) && self.closed[..item.start].iter().filter(turns).count() > 1
             }
             // "The chair should be here and the block shouldn't" are two clauses, of which the first says where.
-            _ if does(Kind::Joins) && text.ends_with("\\NP)\\NP/NP") => says(behind, &MODALS),
+            _ if does(Kind::Joins) && text.ends_with("\\NP)\\NP/NP") => says(so_far, &MODALS),
             // Behind what was brought to a place, it goes out of that one, not of where it was.
             _ if text == "PP"
                 && says(own, &["out", "away"])

@@ -10,6 +10,7 @@ use super::clauses::Clauses;
 use super::closed::Kind;
 use super::combinator::Grammar;
 use super::derivation::Derivation;
+use super::filling::all_edges;
 use super::goals::{Goal, Goals};
 use super::hearing::{self, Hearing, taken};
 use super::lexicon::{EntryId, boxed};
@@ -164,14 +165,14 @@ pub fn parse_words(model: &mut Model, words: Vec<String>, config: ChartConfig) -
     };
     if reason.is_some() {
         let chart =
-            Chart::fill(&mut model.grammar, &model.features, 0, Vec::new(), |_, _, _| true, config);
+            Chart::fill(&mut model.grammar, &model.features, 0, Vec::new(), all_edges, config);
         return Parse { reason, ..Parse::new(words, Vec::new(), chart) };
     }
     let hearing = Hearing::new(model, &words);
     let Hearing { words: heard, closed, empty } = &hearing;
     let idiom = idiom(model, &hearing);
     let is_whole = idiom.as_ref().is_some_and(|item| item.own == (item.start, item.end));
-    let of_idiom = |model: &mut Model, item| fill(model, heard, vec![item], |_, _, _| true, config);
+    let of_idiom = |model: &mut Model, item| fill(model, heard, vec![item], all_edges, config);
     let mut parse = match idiom {
         Some(item) if is_whole => of_idiom(model, item),
         Some(item) => match fill_clauses(model, &hearing, config) {
@@ -330,7 +331,7 @@ fn fill_piece(
     outside.for_each(|at| costs[at] = Some(skipping(at)));
     let mut items = antecedent::items(model, hearing);
     items.retain(|item| start <= item.start && item.end <= end);
-    fill(model, words, absorbing(items, &costs), |_, _, _| true, config)
+    fill(model, words, absorbing(items, &costs), all_edges, config)
 }
 
 /// Reads a sentence clause by clause, if it has several; as a whole where that comes to nothing.

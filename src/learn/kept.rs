@@ -117,7 +117,8 @@ impl Kept {
     /// What a command is answered with the model as it stands, if that is known without a chart.
     pub(super) fn answer(&mut self, at: usize, model: &mut Model) -> Option<Option<TermId>> {
         let command = self.commands.get_mut(at)?.as_mut()?;
-        let forest = command.forest.as_mut().filter(|_| command.entries == model.lexicon.len())?;
+        let is_current = command.entries == model.lexicon.len() && !command.heard.looks_back();
+        let forest = command.forest.as_mut().filter(|_| is_current)?;
         forest.rescore(&model.grammar, &model.features, &command.heard.lexical(model));
         let readings = forest.readings(model, &mut self.goals);
         (!readings.is_empty()).then(|| Forest::answer(&readings))
@@ -132,7 +133,7 @@ impl Kept {
     fn heard(&mut self, at: usize, model: &mut Model, words: &[String]) -> Command {
         let entries = model.lexicon.len();
         match self.commands[at].take() {
-            Some(command) if command.entries == entries => command,
+            Some(command) if command.entries == entries && !command.heard.looks_back() => command,
             Some(command) if command.heard.stays(model, command.entries, words) => {
                 Command { entries, ..command }
             }
@@ -173,8 +174,14 @@ impl Heard {
         let is_sure =
             |(word, closed): (&String, &Option<_>)| closed.is_some() || model.lexicon.knows(word);
         heard == words
+            && !self.looks_back()
             && words.iter().zip(closed).all(is_sure)
             && !model.lexicon.says_more(then, words)
+    }
+
+    /// Whether a word names again what was named before: what that means hangs on the weights, too.
+    fn looks_back(&self) -> bool {
+        antecedent::looks_back(&self.hearing.words)
     }
 
     /// Whether another says the same, whatever it scores.

@@ -125,7 +125,12 @@ export class Robot extends Opened {
     if (await this.found('stops') !== 'good') return;
     await this.press('arm');
     // So busy a machine may stop it at once; whoever waits for it looks again.
-    await this.t.until('it is ready or stopped', async () => ['ready', 'halted'].includes(await this.stage()));
+    await this.t.until('it is ready or stopped', async () => {
+      const stage = await this.stage();
+      const isSeen = await this.found('stops') === 'good';
+      if (stage === 'off' && isSeen) await this.press('arm');
+      return ['ready', 'halted'].includes(stage) || !isSeen;
+    });
     await this.hold();
   }
 

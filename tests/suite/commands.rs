@@ -2,7 +2,7 @@
 //! closed words (`tests/data/ccg/closed.txt`) and what strangers say (`tests/data/ccg/strangers.txt`).
 
 use crate::logic::cases;
-use groundling::ccg::{ChartConfig, General, Model, Parse, parse};
+use groundling::ccg::{ChartConfig, General, Model, Parse, parse, probability};
 use groundling::logic::print_human;
 use std::sync::Arc;
 
@@ -77,6 +77,22 @@ fn closed_words_are_used_with_their_meaning_or_said_to_be_left_out() {
 #[test]
 fn strangers_are_understood() {
     hold(include_str!("../data/ccg/strangers.txt"), 100);
+}
+
+#[test]
+fn where_what_was_said_defeats_itself_another_meaning_is_asked_about() {
+    let mut model = shipped();
+    let said = ["go towards the block but don't touch it", "put every bag in a different room"];
+    for (command, is_asked) in said.map(|command| (command, true)).into_iter().chain([
+        ("go to a room other than the one you are in", false),
+        ("Go to the blue room. Stop. Go to the red room.", false),
+        ("go to the room with the block and push it to the blue room", false),
+    ]) {
+        let parse = asked(&mut model, command);
+        assert_eq!(parse.is_forced, is_asked, "{command}");
+        let asks = probability(&model, &parse).is_none_or(|(_, asks)| asks);
+        assert_eq!(asks, is_asked, "{command}");
+    }
 }
 
 /// What is asked for, before a place.

@@ -41,8 +41,10 @@ fn a_question_is_asked_aloud_and_nothing_is_done() {
         said(&page),
         "Which do you mean? 1: The robot is outside the red room. 2: The robot is the same as the robot."
     );
+    // The room is brought to sight when it was said, and again when the answer has taken its place.
+    let scene = Effect::Reveal("scene");
     let asked = Effect::FocusOnDesk("command");
-    assert_eq!(page.others, [asked, Effect::Reveal("scene"), Effect::Focus("choice-1")]);
+    assert_eq!(page.others, [asked, scene.clone(), scene, Effect::Focus("choice-1")]);
     assert!(page.posted.is_empty() && page.state.talk.watch.playback.is_none());
     assert_eq!(page.shown(), &world());
     assert!(page.messages().is_empty());

@@ -34,6 +34,10 @@ pub(crate) fn answered(state: &mut State, shared: &mut Shared, mut answer: Answe
     state.command.forget();
     let answer = Rc::new(answer);
     shared.document.said = Some(Said { world: Rc::new(world), answer, chosen: 0, plan });
+    // What was in sight when it was sent may have made room for the answer.
+    if !state.resume.is_quiet {
+        shared.want(Effect::Reveal("scene"));
+    }
     if question(state, shared).is_some() && is_taught(shared) {
         plan_again(state, shared);
     } else {
