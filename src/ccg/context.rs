@@ -315,6 +315,7 @@ impl Context<'_> {
             _ if does(Kind::Joins)
                 && (text.ends_with("\\NP/NP") && !text.starts_with("N\\N")
                     || (text.ends_with("/AP") || text.ends_with("/(S\\NP)"))
+                        && next.is_some_and(|next| begins_phrase(self.model, next))
                         && !rest.iter().any(|word| is_verb_word(self.model, word))) =>
             {
                 self.has(item.start)
