@@ -151,3 +151,18 @@ fn poses_that_come_too_late_or_not_at_all_are_seen() {
     client.peer.command("mend");
     client.until(|client| client.pilot.check(Check::Poses, client.now()) == Some(true));
 }
+
+/// A page that is left goes with poses unread, and its socket is reset: what it said before that has arrived all the same.
+#[test]
+fn the_last_words_of_who_leaves_are_heard() {
+    let mut client = Client::armed();
+    client.peer.command("cut");
+    let before = client.peer.log(0).len();
+    client.take(Input::Event(Event::Closing));
+    // Poses for who is gone are waiting when what it said is read.
+    std::thread::sleep(Duration::from_millis(200));
+    client.socket = None;
+    client.peer.command("mend");
+    let last = ["advertise", "publish", "publish", "publish", "unadvertise"];
+    client.until(|client| client.ops(before).ends_with(&last.map(str::to_owned)));
+}
