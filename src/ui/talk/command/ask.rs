@@ -32,13 +32,13 @@ pub(crate) fn typed(state: &mut State, shared: &mut Shared, command: &str) {
     read(state, shared);
 }
 
-/// Reads what stands in the box, without planning: what is typed is understood at once.
+/// Reads what stands in the box, without planning: what is typed is understood at once, in place of what was asked before.
 pub(crate) fn read(state: &mut State, shared: &mut Shared) {
     let is_read = |request: &Request| matches!(request, Request::Read { .. });
     shared.talker.retain(|request| !is_read(request));
     let command = state.command.input.clone();
     let said = shared.document.said.as_ref();
-    state.command.reply = None;
+    (state.command.query, state.command.reply) = (None, None);
     let is_none = query(&command).is_some() || in_other_words(&command).is_some();
     if is_none
         || command.trim().is_empty()

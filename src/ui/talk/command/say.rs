@@ -27,11 +27,12 @@ pub(crate) fn say(state: &mut State, shared: &mut Shared) {
     }
 }
 
-/// There is someone to hear: what was sent already is said, what is being typed is read.
+/// There is someone to hear: what was sent already is said, what is being typed is read. A question that waits, or was
+/// answered, is not typed any more.
 pub(crate) fn begin(state: &mut State, shared: &mut Shared) {
     if std::mem::take(&mut state.command.early) {
         say(state, shared);
-    } else {
+    } else if state.command.query.is_none() && state.command.reply.is_none() {
         ask::read(state, shared);
     }
 }
