@@ -96,7 +96,7 @@ PEOPLE := amt-pruned-train amt-raw-train amt-2015-objects
 doubt: model ## learn anew how far answers can be trusted, from commands kept elsewhere: DIR=folder
 	test -n "$(DIR)" || { echo "say where the corpora are: make doubt DIR=folder" >&2; exit 2; }
 	cargo run --release --bin groundling -- calibrate --model "$(MODEL)" \
-		--corpus $(PEOPLE:%="$(DIR)/%.csv") --precision 0.888 --out target/model/doubt.txt
+		--corpus $(PEOPLE:%="$(DIR)/%.csv") --precision 0.88 --out target/model/doubt.txt
 	{ grep "^#" assets/model/doubt.txt; cat target/model/doubt.txt; } >target/model/doubt.new
 	mv target/model/doubt.new assets/model/doubt.txt
 

@@ -6,6 +6,7 @@
 use super::anaphora::{is_pronoun, is_within_or_out};
 use super::chart::Lexical;
 use super::closed::{Kind, closed};
+use super::context::MODALS;
 use super::features::Feature;
 use super::lexicon::EntryId;
 use super::model::Model;
@@ -16,6 +17,9 @@ use super::word_kind::{
 
 /// Before a pronoun these often say nothing: "the room with the chair in it".
 const WITHIN: [&str; 6] = ["in", "into", "inside", "within", "with", "of"];
+
+/// Brought along.
+const WITH_YOU: [&str; 2] = ["with", "you"];
 
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -137,6 +141,20 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         is_within_or_out(&words[at])
             && closed.get(at + 1).map_or_else(is_back, |next| *next == Some(Kind::Joins))
     };
+    // Of "it" something is to become; "with you" the robot is brought, too.
+    let is_subject = |at: usize| {
+        matches!(&*words[at], "it" | "they")
+            && words.get(at + 1).is_some_and(|next| {
+                MODALS.contains(&&**next) || matches!(&**next, "goes" | "go" | "belongs" | "belong")
+            })
+    };
+    let is_with_you = |at: usize| {
+        let stands = |at: usize| words[at..].starts_with(&WITH_YOU.map(str::to_owned));
+        let brings = words[..at].iter().any(|word| is(model, word, brings_thing));
+        brings && (stands(at) || at > 0 && stands(at - 1))
+    };
+    // Who cleans a room does not just go there.
+    let clears = |at: usize| matches!(&*words[at], "clean" | "tidy");
     let speaks = |at: usize| {
         let goes_on = || is_turned(at) || is_thing(at) || is_denied(at);
         closed[at].is_some()
@@ -149,6 +167,9 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
             || brings(at)
             || goes(at)
             || is_cut_off(at)
+            || is_subject(at)
+            || is_with_you(at)
+            || clears(at)
     };
     (0..words.len()).map(|at| !speaks(at) && !clauses.contains(&at)).collect()
 }

@@ -8,6 +8,7 @@ use super::category::Category;
 use super::chart::{Chart, ChartConfig, Lexical};
 use super::filling::all_edges;
 use super::hearing::Hearing;
+use super::lexicon::EntryId;
 use super::model::Model;
 use super::syntax::Atom;
 use super::word_kind::{begins_phrase, is, is_adjective, is_bare_noun, is_noun};
@@ -27,7 +28,6 @@ const MOST: usize = 8;
 const LONGEST: usize = 12;
 
 /// What is named before some place.
-#[derive(Default)]
 struct Named {
     /// What entries say of it without a name.
     unnamed: Vec<TermId>,
@@ -160,17 +160,21 @@ fn phrase(model: &mut Model, words: &[String]) -> Option<TermId> {
     found.map(|category| category.meaning)
 }
 
-/// The nouns: where each ends, and what it means.
+/// The nouns: where each ends, and what it means most of all.
 fn nouns(model: &Model, hearing: &Hearing) -> Vec<(usize, TermId)> {
+    let is_noun = |entry: &EntryId| {
+        let syntax = model.lexicon.category(*entry).syntax;
+        model.grammar.syntaxes.is(syntax, Atom::N)
+    };
     let mut found = Vec::new();
     for (at, word) in hearing.words.iter().enumerate() {
         if names_noun(word) || !is_bare_noun(model, word) {
             continue;
         }
-        let all = model.lexicon.entries_for_word(word).iter();
-        let categories = all.map(|&entry| model.lexicon.category(entry));
-        let own = categories.filter(|all| model.grammar.syntaxes.is(all.syntax, Atom::N));
-        found.extend(own.map(|category| (at + 1, category.meaning)));
+        let all = model.lexicon.entries_for_word(word).iter().copied().filter(is_noun);
+        let score = |entry: &EntryId| model.entry_score(*entry);
+        let best = all.max_by(|a, b| score(a).total_cmp(&score(b)).then_with(|| b.cmp(a)));
+        found.extend(best.map(|entry| (at + 1, model.lexicon.category(entry).meaning)));
     }
     found
 }

@@ -2,6 +2,7 @@
 //! such a word is used with its meaning by an entry of a seed lexicon, or the sentence has no full reading. No learned
 //! entry speaks for one, none goes without meaning, and nothing throws one away with an argument.
 
+use super::alternatives::alternatives;
 use crate::logic::order;
 use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
@@ -36,7 +37,7 @@ const BEGINS: char = '^';
 
 /// A line's words: one or more, and what they do. A word with `-` before it is an ending, one with `^` begins the sentence.
 struct Phrase {
-    words: Vec<&'static str>,
+    words: Vec<String>,
     kind: Kind,
 }
 
@@ -44,8 +45,8 @@ struct Phrase {
 #[derive(Default)]
 struct Phrases {
     all: Vec<Phrase>,
-    by_word: FxHashMap<&'static str, Vec<usize>>,
-    by_ending: Vec<(&'static str, usize)>,
+    by_word: FxHashMap<String, Vec<usize>>,
+    by_ending: Vec<(String, usize)>,
 }
 
 static PHRASES: LazyLock<Phrases> = LazyLock::new(|| {
@@ -54,15 +55,15 @@ static PHRASES: LazyLock<Phrases> = LazyLock::new(|| {
     let mut phrases = Phrases::default();
     for (name, all) in lines {
         let kind = KINDS.iter().find(|(known, _)| *known == name.trim()).map(|&(_, kind)| kind);
-        for phrase in all.split('|').map(str::trim) {
-            let words: Vec<_> = phrase.split_whitespace().collect();
-            // A test holds that every line has a kind.
-            let (Some(&first), Some(kind)) = (words.first(), kind) else { continue };
+        for phrase in alternatives(all).unwrap_or_default() {
+            let words: Vec<String> = phrase.split_whitespace().map(str::to_owned).collect();
+            // A test holds that every line can be read and has a kind.
+            let (Some(first), Some(kind)) = (words.first(), kind) else { continue };
             let place = phrases.all.len();
             match first.strip_prefix('-') {
-                Some(ending) => phrases.by_ending.push((ending, place)),
+                Some(ending) => phrases.by_ending.push((ending.to_owned(), place)),
                 None => {
-                    let word = first.trim_start_matches(BEGINS);
+                    let word = first.trim_start_matches(BEGINS).to_owned();
                     phrases.by_word.entry(word).or_default().push(place);
                 }
             }
@@ -77,7 +78,7 @@ pub fn closed(words: &[impl AsRef<str>]) -> Vec<Option<Kind>> {
     let Phrases { all, by_word, by_ending } = &*PHRASES;
     let mut found: Vec<(usize, usize)> = Vec::new();
     for (start, first) in words.iter().enumerate() {
-        let ends = |&&(ending, _): &&(&str, usize)| first.as_ref().ends_with(ending);
+        let ends = |(ending, _): &&(String, usize)| first.as_ref().ends_with(ending.as_str());
         let ending = by_ending.iter().filter(ends).map(|&(_, place)| place);
         let same = by_word.get(first.as_ref()).into_iter().flatten().copied();
         let may_begin = |place: usize| start == 0 || !all[place].words[0].starts_with(BEGINS);
@@ -98,10 +99,10 @@ pub fn closed(words: &[impl AsRef<str>]) -> Vec<Option<Kind>> {
 }
 
 /// Whether words begin with those of a phrase.
-fn stands(own: &[&str], words: &[impl AsRef<str>]) -> bool {
+fn stands(own: &[String], words: &[impl AsRef<str>]) -> bool {
     let mut both = words.iter().map(AsRef::as_ref).zip(own);
     own.len() <= words.len()
-        && both.all(|(word, own): (&str, &&str)| match own.strip_prefix('-') {
+        && both.all(|(word, own): (&str, &String)| match own.strip_prefix('-') {
             Some(ending) => word.ends_with(ending),
             None => word == own.trim_start_matches(BEGINS),
         })
@@ -114,8 +115,8 @@ pub fn any_closed(words: &[impl AsRef<str>]) -> bool {
 
 /// The closed words that stand alone, in the list's order: what a misspelt word may be.
 pub fn closed_words() -> impl Iterator<Item = &'static str> {
-    PHRASES.all.iter().filter_map(|phrase| match phrase.words[..] {
-        [word] if !word.starts_with(['-', BEGINS]) => Some(word),
+    PHRASES.all.iter().filter_map(|phrase| match &phrase.words[..] {
+        [word] if !word.starts_with(['-', BEGINS]) => Some(word.as_str()),
         _ => None,
     })
 }

@@ -16,6 +16,7 @@ use super::lookup::lexical_items;
 use super::model::Model;
 use super::spelling::heard;
 use super::syntax::SyntaxId;
+use super::usage::rules::may_mean;
 use super::word_kind::is_place_word;
 use crate::logic::read;
 use std::sync::Arc;
@@ -59,7 +60,7 @@ impl Hearing {
             }
         }
         let context = self.context(model);
-        items.retain(|item| context.may_mean(item));
+        items.retain(|item| may_mean(&context, item));
         items
     }
 

@@ -3,6 +3,7 @@
 //! `*` in place of words gives a template that learned words may fill: `?`, `?noun` and `?adjective` are its holes;
 //! `frame` and `commutative` lines name constants; `shift FROM=>TO : meaning` lines are type shifts; `#` begins a comment.
 
+use super::alternatives::alternatives;
 use super::category::Category;
 use super::closed::{Kind, closed};
 use super::features::Feature;
@@ -27,9 +28,6 @@ const BESIDE: f64 = -6.0;
 const SEQUENCE: f64 = -12.0;
 /// What it costs that "and" says what comes after.
 const JOINED: f64 = -6.0;
-
-/// Phrases that one line may stand for.
-const MAX_ALTERNATIVES: usize = 512;
 
 /// What is wrong with a lexicon's text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -111,45 +109,6 @@ fn read_words(model: &mut Model, phrase: &str, category: &str) -> Result<(), Str
     }
     let phrases = alternatives(phrase)?;
     phrases.iter().try_for_each(|phrase| add_entry(model, phrase, category))
-}
-
-/// The phrases that a line's words stand for.
-fn alternatives(text: &str) -> Result<Vec<String>, String> {
-    let mut done = Vec::new();
-    let mut open: Vec<String> = top_level(text)?.into_iter().rev().map(str::to_owned).collect();
-    while let Some(phrase) = open.pop() {
-        let Some((before, rest)) = phrase.split_once('(') else {
-            done.push(phrase);
-            continue;
-        };
-        let (inner, after) = rest.split_once(')').ok_or("a ( is not closed")?;
-        let ways = inner.split('|').map(|way| format!("{before}{way}{after}"));
-        open.extend(ways.collect::<Vec<_>>().into_iter().rev());
-        if done.len() + open.len() > MAX_ALTERNATIVES {
-            return Err(format!("a line stands for {MAX_ALTERNATIVES} phrases at most"));
-        }
-    }
-    Ok(done)
-}
-
-/// What stands between the bars that are in no brackets; brackets do not nest.
-fn top_level(text: &str) -> Result<Vec<&str>, String> {
-    let (mut parts, mut from, mut inside) = (Vec::new(), 0, false);
-    for (at, c) in text.char_indices() {
-        match c {
-            '(' | ')' if inside == (c == '(') => {
-                return Err("brackets do not nest, and each closes".to_owned());
-            }
-            '(' | ')' => inside = !inside,
-            '|' if !inside => {
-                parts.push(&text[from..at]);
-                from = at + 1;
-            }
-            _ => {}
-        }
-    }
-    parts.push(&text[from..]);
-    if inside { Err("a ( is not closed".to_owned()) } else { Ok(parts) }
 }
 
 fn add_entry(model: &mut Model, phrase: &str, category: Category) -> Result<(), String> {

@@ -10,6 +10,7 @@ use super::clauses::Clauses;
 use super::closed::Kind;
 use super::combinator::Grammar;
 use super::derivation::Derivation;
+use super::fences::Fences;
 use super::filling::all_edges;
 use super::goals::{Goal, Goals};
 use super::hearing::{self, Hearing, taken};
@@ -331,7 +332,7 @@ fn fill_piece(
     outside.for_each(|at| costs[at] = Some(skipping(at)));
     let mut items = antecedent::items(model, hearing);
     items.retain(|item| start <= item.start && item.end <= end);
-    fill(model, words, absorbing(items, &costs), all_edges, config)
+    fill_within(model, hearing, absorbing(items, &costs), config)
 }
 
 /// Reads a sentence clause by clause, if it has several; as a whole where that comes to nothing.
@@ -349,20 +350,21 @@ fn fill_clauses(model: &mut Model, hearing: &Hearing, config: ChartConfig) -> Pa
 fn fill_at(model: &mut Model, hearing: &Hearing, leniency: Leniency, config: ChartConfig) -> Parse {
     let costs = absorption(model, &hearing.words, &hearing.empty, leniency);
     let items = absorbing(antecedent::items(model, hearing), &costs);
-    // Beside what turns round or orders, half a phrase is no clause: "never go to the red, room after the blue room".
-    let orders = |kind: &Option<Kind>| matches!(kind, Some(Kind::Turns | Kind::Orders));
-    let is_strict = hearing.closed.iter().any(orders);
+    fill_within(model, hearing, items, config)
+}
+
+/// Parses from these items within the fences of the sentence.
+fn fill_within(
+    model: &mut Model,
+    hearing: &Hearing,
+    mut items: Vec<Lexical>,
+    config: ChartConfig,
+) -> Parse {
     let context = hearing.context(model);
-    let within: Vec<bool> =
-        (0..hearing.words.len()).map(|at| is_strict && context.is_within_phrase(at)).collect();
-    let bare: Vec<usize> =
-        (0..hearing.words.len()).map(|start| context.bare_until(start)).collect();
-    let is_open = context.is_open();
-    let admit = |_: &Grammar, (start, end): (usize, usize), category: Category| {
-        !category.syntax.is_sentence()
-            || !within[start]
-                && end > bare[start]
-                && !(is_open && start == 0 && category.syntax == SyntaxId::S)
+    items.retain(|item| context.may_absorb(&model.grammar.syntaxes, item));
+    let fences = Fences::new(&context);
+    let admit = |grammar: &Grammar, span: (usize, usize), category: Category| {
+        fences.admit(&grammar.syntaxes, span, category.syntax)
     };
     fill(model, &hearing.words, items, admit, config)
 }

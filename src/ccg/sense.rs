@@ -85,7 +85,9 @@ fn says_something(terms: &Terms, sorts: &Sorts, rooms: &mut Rooms, term: TermId)
         (Some("in"), &[_, place]) => !is_door(terms, place),
         (Some("until"), &[_, first, next]) => !is_undone(terms, first, next),
         (Some("and"), parts) => {
-            let is_void = contradicts(terms, parts) || mixes(terms, sorts, parts);
+            let is_void = contradicts(terms, parts)
+                || mixes(terms, sorts, parts)
+                || claims_same(terms, parts);
             !is_void && !excludes_idly(terms, sorts, parts) && !excludes_half(terms, parts)
         }
         _ => true,
@@ -318,6 +320,15 @@ fn quality<'a>(
     let name = terms.head_name(part)?;
     let is_quality = matches!(terms.node(of), Node::Variable(_)) && sorts.is_quality(name);
     is_quality.then_some((of, sorts.of(name)?, name))
+}
+
+/// Whether something of a kind is said to be what another phrase names: only a denial of a denial says so ("a room other than
+/// this one, though not the yellow one").
+fn claims_same(terms: &Terms, parts: &[TermId]) -> bool {
+    let is_variable = |&of: &TermId| matches!(terms.node(of), Node::Variable(_));
+    parts
+        .iter()
+        .any(|&part| terms.arguments(part, "eq").is_some_and(|both| both.iter().any(is_variable)))
 }
 
 /// Whether something is said to be, or not to be, what its kind can never be: a chair other than the block, a red room other

@@ -243,6 +243,12 @@ impl Syntaxes {
         parts.is_some_and(|(noun, of)| self.is(noun, Atom::N) && self.is(of, Atom::N))
     }
 
+    /// Whether the category is that of a place that goes on with the one before it: `PP\PP`.
+    pub(super) fn goes_on(&self, id: SyntaxId) -> bool {
+        let parts = self.backward(id);
+        parts.is_some_and(|(whole, of)| self.is(whole, Atom::PP) && self.is(of, Atom::PP))
+    }
+
     /// Whether the category, once it has all it takes, is a sentence.
     pub(super) fn sets_goal(&self, id: SyntaxId) -> bool {
         match self.get(id) {

@@ -40,7 +40,21 @@ pub(super) const NORMAL_FORM: Admitted = Admitted { normal_form: true, vacuous: 
 
 /// Whether somebody could mean a goal, as far as these sentences go.
 pub(super) fn is_meant(terms: &Terms, goal: TermId) -> bool {
-    !contradicts(terms, goal) && !forgets_room(terms, goal)
+    !contradicts(terms, goal) && !forgets_room(terms, goal) && !is_beside_itself(terms, goal)
+}
+
+/// Whether a thing is to be beside itself, which the robot always is.
+fn is_beside_itself(terms: &Terms, goal: TermId) -> bool {
+    match terms.node(goal) {
+        Node::Constant(_) | Node::Variable(_) => false,
+        Node::Lambda { body, .. } => is_beside_itself(terms, body),
+        Node::Apply { args: &[thing, other], .. }
+            if thing == other && terms.head_name(goal) == Some("near") =>
+        {
+            !print(terms, thing).contains("agent:<e,t>")
+        }
+        Node::Apply { args, .. } => args.iter().any(|&arg| is_beside_itself(terms, arg)),
+    }
 }
 
 /// Whether a conjunction claims and denies the same, which nobody means.

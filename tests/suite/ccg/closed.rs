@@ -5,7 +5,8 @@ use crate::commands::{asked, shipped};
 use crate::learn::six;
 use groundling::ccg::closed::{Kind, closed_words};
 use groundling::ccg::{
-    ChartConfig, EntryId, Hearing, Model, Origin, Trace, any_closed, closed, parse, words,
+    ChartConfig, EntryId, Hearing, Model, Origin, Trace, alternatives, any_closed, closed, parse,
+    words,
 };
 use groundling::corpus::{Example, Pair};
 use groundling::learn::genlex::{CoarseCharts, Domain, Scope, generate};
@@ -19,11 +20,13 @@ use std::cell::RefCell;
 const LIST: &str = include_str!("../../../assets/lexicon/closed.txt");
 
 /// The list's lines: a kind and its phrases.
-fn lines() -> impl Iterator<Item = (&'static str, Vec<&'static str>)> {
+fn lines() -> impl Iterator<Item = (&'static str, Vec<String>)> {
     let lines = LIST.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
     lines.map(|line| {
         let (kind, phrases) = line.split_once(": ").expect("a kind and phrases");
-        (kind, phrases.split('|').map(str::trim).collect())
+        let phrases = alternatives(phrases).expect("brackets that fit");
+        let words = phrases.iter().map(|phrase| phrase.split_whitespace().collect::<Vec<_>>());
+        (kind, words.map(|words| words.join(" ")).collect())
     })
 }
 
