@@ -6,7 +6,6 @@
 use super::anaphora::{is_pronoun, is_within_or_out};
 use super::chart::Lexical;
 use super::closed::{Kind, closed};
-use super::context::MODALS;
 use super::features::Feature;
 use super::lexicon::EntryId;
 use super::model::Model;
@@ -141,13 +140,7 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         is_within_or_out(&words[at])
             && closed.get(at + 1).map_or_else(is_back, |next| *next == Some(Kind::Joins))
     };
-    // Of "it" something is to become; "with you" the robot is brought, too.
-    let is_subject = |at: usize| {
-        matches!(&*words[at], "it" | "they")
-            && words.get(at + 1).is_some_and(|next| {
-                MODALS.contains(&&**next) || matches!(&**next, "goes" | "go" | "belongs" | "belong")
-            })
-    };
+    // "With you" the robot is brought, too.
     let is_with_you = |at: usize| {
         let stands = |at: usize| words[at..].starts_with(&WITH_YOU.map(str::to_owned));
         let brings = words[..at].iter().any(|word| is(model, word, brings_thing));
@@ -167,7 +160,6 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
             || brings(at)
             || goes(at)
             || is_cut_off(at)
-            || is_subject(at)
             || is_with_you(at)
             || clears(at)
     };

@@ -175,8 +175,11 @@ impl Context<'_> {
         };
         let noun = (0..at).rev().find(names)?;
         let between = &self.words[noun + 1..at];
-        let tells = TELLS.contains(&&*self.words[noun]);
-        (is_content && !tells && says(between, verbs)).then_some(noun)
+        // "Whichever room is red" is told by that; and what the robot should do is done to something.
+        let begins = &self.words[noun.saturating_sub(2)..noun];
+        let tells = TELLS.contains(&&*self.words[noun]) || says(begins, &["whichever", "whatever"]);
+        let is_robot = self.words[noun] == "robot";
+        (is_content && !tells && !is_robot && says(between, verbs)).then_some(noun)
     }
 
     /// Whether at a place it is said where a thing is brought: "the bag to the red room" is no bag that is told by that, as "the
