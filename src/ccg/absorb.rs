@@ -17,6 +17,9 @@ use super::word_kind::{
 /// Before a pronoun these often say nothing: "the room with the chair in it".
 const WITHIN: [&str; 6] = ["in", "into", "inside", "within", "with", "of"];
 
+/// What is wanted somewhere is a thing.
+const WANTS: [&str; 4] = ["want", "need", "like", "see"];
+
 /// Brought along.
 const WITH_YOU: [&str; 2] = ["with", "you"];
 
@@ -58,7 +61,8 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     let is_thing = |at: usize| {
         let is_done_to = || {
             (1..first_noun).contains(&at) && is(model, &words[at - 1], takes_thing)
-                || at > 0 && is(model, &words[at - 1], brings_thing)
+                || at > 0
+                    && (is(model, &words[at - 1], brings_thing) || WANTS.contains(&&*words[at - 1]))
         };
         let is_in_condition = || at > orders && is(model, &words[at - 1], is_preposition);
         // "Then it into the blue room": what is brought there is said, with no verb.

@@ -378,10 +378,13 @@ pub fn fill(
     admit: impl FnMut(&Grammar, (usize, usize), Category) -> bool,
     config: ChartConfig,
 ) -> Parse {
-    fill_knowing(model, &mut Goals::default(), words, lexical, admit, config)
+    let mut goals = Goals::default();
+    let parse = fill_knowing(model, &mut goals, words, lexical, admit, config);
+    let is_forced = is_forced(model, &mut goals, &parse.chart, &parse.readings);
+    Parse { is_forced, ..parse }
 }
 
-/// The same for whoever keeps what is known of goals.
+/// The same for whoever keeps what is known of goals, and does not ask whether a reading is forced.
 pub fn fill_knowing(
     model: &mut Model,
     goals: &mut Goals,
@@ -394,8 +397,7 @@ pub fn fill_knowing(
     let chart = Chart::fill(grammar, features, words.len(), lexical, admit, config);
     let readings = readings(model, goals, &chart);
     let tried = chart.tried;
-    let is_forced = is_forced(model, goals, &chart, &readings);
-    let mut parse = Parse { tried, is_forced, ..Parse::new(words.to_vec(), readings, chart) };
+    let mut parse = Parse { tried, ..Parse::new(words.to_vec(), readings, chart) };
     if parse.tied() > 1 {
         parse.reason = Some(Reason::Tie);
     }
