@@ -30,10 +30,17 @@ async function ready(t, peer) {
 async function driving(t, peer) {
   const robot = await ready(t, peer);
   await robot.ask('go to the blue room');
-  await robot.drive();
-  await robot.underway('the base moves', async () => (await peer.report()).linear > 0.1);
+  await moves(robot, peer);
   return robot;
 }
+
+/** Holds the key until the base is seen to move: whoever stops it then waits for what is on its way to it. */
+async function moves(robot, peer) {
+  await robot.drive();
+  await robot.underway('the base moves', () => isMoving(peer));
+}
+
+const isMoving = async (peer) => (await peer.report()).linear > 0.1;
 
 /** The base stands, and what it was told last is that, three times over. */
 async function stands(t, peer) {
@@ -142,7 +149,7 @@ peered('an emergency stop by key, by button and by letting go stops it', { secon
   await robot.press('release');
   await robot.at('off');
   await robot.allow();
-  await robot.drive();
+  await moves(robot, peer);
   await robot.press('stop');
   await robot.at('halted');
   await stands(t, peer);
@@ -152,7 +159,7 @@ peered('an emergency stop by key, by button and by letting go stops it', { secon
   // The button on the page is a dead man's key, too.
   await robot.holdButton();
   await t.until('it drives by the button', async () => {
-    if (await robot.stage() === 'driving') return true;
+    if (await robot.stage() === 'driving') return isMoving(peer);
     if (await robot.isTooSlow()) {
       await robot.page.mouse.up();
       await robot.press('release');
@@ -206,7 +213,7 @@ peered('a page that is hidden or closed stops it', { seconds: 300 }, async (t, p
   await robot.letGo();
   await robot.press('release');
   await robot.press('arm');
-  await robot.drive();
+  await moves(robot, peer);
   await robot.page.goto('about:blank');
   await stands(t, peer);
 });
