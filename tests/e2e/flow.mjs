@@ -72,7 +72,9 @@ export class Flow {
     page.on('pageerror', (error) => problem(`uncaught: ${error.stack ?? error}`));
     page.on('crash', () => problem('the page crashed'));
     page.on('requestfailed', (request) => {
-      problem(`request failed: ${request.url()}: ${request.failure()?.errorText}`);
+      const why = request.failure()?.errorText;
+      // What a page or an engine was still fetching ends with it.
+      if (why !== 'net::ERR_ABORTED') problem(`request failed: ${request.url()}: ${why}`);
     });
     page.on('response', (response) => {
       if (response.status() >= 400) problem(`status ${response.status()}: ${response.url()}`);
