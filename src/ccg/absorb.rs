@@ -20,9 +20,6 @@ const WITHIN: [&str; 6] = ["in", "into", "inside", "within", "with", "of"];
 /// What is wanted somewhere is a thing.
 const WANTS: [&str; 4] = ["want", "need", "like", "see"];
 
-/// Brought along.
-const WITH_YOU: [&str; 2] = ["with", "you"];
-
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Leniency {
@@ -146,9 +143,10 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
     };
     // "With you" the robot is brought, too.
     let is_with_you = |at: usize| {
-        let stands = |at: usize| words[at..].starts_with(&WITH_YOU.map(str::to_owned));
-        let brings = words[..at].iter().any(|word| is(model, word, brings_thing));
-        brings && (stands(at) || at > 0 && stands(at - 1))
+        let stands =
+            |at: usize| words[at] == "with" && words.get(at + 1).is_some_and(|w| w == "you");
+        (stands(at) || at > 0 && stands(at - 1))
+            && words[..at].iter().any(|word| is(model, word, brings_thing))
     };
     // Who cleans a room does not just go there.
     let clears = |at: usize| matches!(&*words[at], "clean" | "tidy");

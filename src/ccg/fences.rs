@@ -55,17 +55,17 @@ impl Fences {
         let orders = |kind: &Option<Kind>| matches!(kind, Some(Kind::Turns | Kind::Orders));
         let is_strict = context.closed.iter().any(orders);
         let places = 0..context.words.len();
-        let becomes = |at: usize| context.of_what(at, &MODALS);
+        let becomes: Vec<_> = places.clone().map(|at| context.of_what(at, &MODALS)).collect();
+        let brought: Vec<_> = places.clone().map(|at| context.is_brought(at)).collect();
+        let is_said = |at: usize| becomes[at].is_some() || context.of_what(at, &IS).is_some();
+        let is_beside = |at: usize| brought[at] && context.was_beside(at);
         Fences {
             within: places.clone().map(|at| is_strict && context.is_within_phrase(at)).collect(),
             bare: places.clone().map(|at| context.bare_until(at)).collect(),
-            said: places
-                .clone()
-                .map(|at| context.of_what(at, &IS).or(becomes(at)).is_some())
-                .collect(),
-            becomes: places.clone().map(becomes).collect(),
-            brought: places.clone().map(|at| context.is_brought(at)).collect(),
-            beside: places.map(|at| context.is_brought(at) && context.was_beside(at)).collect(),
+            said: places.clone().map(is_said).collect(),
+            beside: places.map(is_beside).collect(),
+            becomes,
+            brought,
             is_open: context.is_open(),
         }
     }

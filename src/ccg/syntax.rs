@@ -239,14 +239,17 @@ impl Syntaxes {
 
     /// Whether the category is that of what describes a noun before it: `N\N`.
     pub(super) fn describes(&self, id: SyntaxId) -> bool {
-        let parts = self.backward(id);
-        parts.is_some_and(|(noun, of)| self.is(noun, Atom::N) && self.is(of, Atom::N))
+        self.modifies(id, Atom::N)
     }
 
     /// Whether the category is that of a place that goes on with the one before it: `PP\PP`.
     pub(super) fn goes_on(&self, id: SyntaxId) -> bool {
+        self.modifies(id, Atom::PP)
+    }
+
+    fn modifies(&self, id: SyntaxId, atom: Atom) -> bool {
         let parts = self.backward(id);
-        parts.is_some_and(|(whole, of)| self.is(whole, Atom::PP) && self.is(of, Atom::PP))
+        parts.is_some_and(|(whole, of)| self.is(whole, atom) && self.is(of, atom))
     }
 
     /// Whether the category, once it has all it takes, is a sentence.

@@ -85,12 +85,18 @@ impl Page {
         page
     }
 
-    /// A page with its model, and nothing at work.
-    pub(crate) fn ready() -> Page {
+    /// A page with its model, which other words have not come to.
+    pub(crate) fn opened() -> Page {
         let mut page = Page::new();
         page.hear(Program::Talker, 0, Event::Ready);
         page.act(Action::Fetched(Ok("the model".to_owned())));
         page.answer(Event::Opened(model("the model")));
+        page
+    }
+
+    /// A page with its model, and nothing at work.
+    pub(crate) fn ready() -> Page {
+        let mut page = Page::opened();
         page.act(Action::FetchedWords(Err("status 404".to_owned())));
         page.others.clear();
         page

@@ -236,10 +236,7 @@ fn the_resource_comes_after_the_model_and_is_given_to_a_new_engine() {
 #[test]
 fn without_the_resource_all_else_works() {
     for lost in [true, false] {
-        let mut page = Page::new();
-        page.hear(Program::Talker, 0, Event::Ready);
-        page.act(Action::Fetched(Ok("the model".to_owned())));
-        page.answer(Event::Opened(model("the model")));
+        let mut page = Page::opened();
         if lost {
             page.act(Action::FetchedWords(Err("status 404".to_owned())));
         } else {

@@ -1,12 +1,12 @@
 //! Questions by their words, what lies beyond the language, and the guide: its examples are filled in from the room.
 
-use super::{Page, model, understood, world};
+use super::{Page, understood, world};
 use groundling::ui::app::Action;
 use groundling::ui::help::guide::filled;
 use groundling::ui::talk;
 use groundling::ui::talk::command::query::{Query, query};
 use groundling::ui::talk::teach::other::in_other_words;
-use groundling::worker::protocol::{Beyond, Event, Meaning, Program, Request, beyond};
+use groundling::worker::protocol::{Beyond, Event, Meaning, Request, beyond};
 
 const GUIDES: [&str; 2] =
     [include_str!("../../../www/help.en.html"), include_str!("../../../www/help.de.html")];
@@ -95,10 +95,7 @@ fn a_question_is_answered_though_other_words_come_meanwhile() {
     let question = || talk::Action::AskExample("where is the block?".to_owned());
     let answer = || Event::Answer(Box::new(understood("go to the block", None)));
     for are_words_first in [true, false] {
-        let mut page = Page::new();
-        page.hear(Program::Talker, 0, Event::Ready);
-        page.act(Action::Fetched(Ok("the model".to_owned())));
-        page.answer(Event::Opened(model("the model")));
+        let mut page = Page::opened();
         if are_words_first {
             page.act(words());
             page.act(question());
