@@ -4,6 +4,7 @@
 
 use super::job::{Engine, Role};
 use super::protocol::{Envelope, Event, Request, VERSION, encode};
+use super::reports::Reports;
 use js_sys::{JsString, Uint8Array};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -14,10 +15,6 @@ use web_sys::{DedicatedWorkerGlobalScope, MessageChannel, MessageEvent, MessageP
 
 /// Milliseconds of work between two looks at the event loop.
 const SLICE_MS: f64 = 12.0;
-
-/// Milliseconds between two reports of progress: a page that draws each one takes time from the work, on a machine of two
-/// cores as much as the work itself at 25 a second.
-const REPORT_MS: f64 = 250.0;
 
 /// Takes the worker's messages from now on, in a role.
 pub fn listen<R: Role + 'static>() {
@@ -35,7 +32,7 @@ struct Agent<R> {
     scope: DedicatedWorkerGlobalScope,
     wake: MessagePort,
     woken: Cell<bool>,
-    reported: Cell<f64>,
+    reports: RefCell<Reports>,
 }
 
 impl<R: Role + 'static> Agent<R> {
@@ -47,7 +44,7 @@ impl<R: Role + 'static> Agent<R> {
             scope: scope.clone(),
             wake: channel.port2(),
             woken: Cell::new(false),
-            reported: Cell::new(f64::NEG_INFINITY),
+            reports: RefCell::default(),
         });
 
         let worker = agent.clone();
@@ -86,10 +83,10 @@ impl<R: Role + 'static> Agent<R> {
         let end = self.now() + SLICE_MS;
         let mut engine = self.engine.borrow_mut();
         while engine.busy() {
-            if let Some((id, event)) = engine.step()
-                && (!is_progress(&event) || self.may_report())
-            {
-                post(&self.scope, id, event);
+            if let Some((id, event)) = engine.step() {
+                for (id, event) in self.reports.borrow_mut().tell(self.now(), id, event) {
+                    post(&self.scope, id, event);
+                }
             }
             if self.now() >= end {
                 break;
@@ -106,34 +103,9 @@ impl<R: Role + 'static> Agent<R> {
         }
     }
 
-    /// Whether progress may be reported again; what is left out now is part of the next report.
-    fn may_report(&self) -> bool {
-        let now = self.now();
-        let due = now - self.reported.get() >= REPORT_MS;
-        if due {
-            self.reported.set(now);
-        }
-        due
-    }
-
     fn now(&self) -> f64 {
         self.scope.performance().map_or(0.0, |p| p.now())
     }
-}
-
-/// Whether an event is one of many that say how far something is; that an epoch has ended is told for certain.
-const fn is_progress(event: &Event) -> bool {
-    if let Event::Progress(progress) = event {
-        return progress.example < progress.examples;
-    }
-    matches!(
-        event,
-        Event::Reading { .. }
-            | Event::Auditing { .. }
-            | Event::Experimenting(_)
-            | Event::Planning(_)
-            | Event::RollingOut(_)
-    )
 }
 
 /// A request whose command is in NFC, as the talker takes it.

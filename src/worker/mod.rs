@@ -12,6 +12,7 @@ mod ask;
 mod choose;
 mod examples;
 pub mod job;
+pub mod reports;
 mod talker;
 mod progress;
 mod demonstration;

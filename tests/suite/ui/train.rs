@@ -336,6 +336,16 @@ fn training_shows_its_progress_rests_and_can_be_stopped_and_gone_on_with() {
 }
 
 #[test]
+fn a_step_is_one_of_training_and_of_nothing_else_that_is_at_work() {
+    let mut bench = Bench::with(6);
+    bench.state.desk.send(Request::TakeDecisions { text: "{}".to_owned() }, false);
+    assert!(!bench.can_train());
+    bench.run(run::Action::StepExample);
+    assert!(bench.state.run.live().is_none(), "it would wait, and its step would be the other's");
+    assert!(!bench.posted.iter().any(|(_, request)| *request == Request::StepExample));
+}
+
+#[test]
 fn a_run_goes_on_in_a_new_engine_when_its_own_dies_but_not_for_ever() {
     let mut bench = Bench::with(6);
     bench.run(run::Action::Go);

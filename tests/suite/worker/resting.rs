@@ -1,8 +1,10 @@
 //! Work that rests and goes on, whatever it is.
 
 use super::sheets::{care, sheet};
-use super::{SIX, file, learn, next};
+use super::{SIX, file, learn, learner, next};
 use groundling::worker::protocol::{Event, Half, Request, Verdict};
+use groundling::worker::reports::{REPORT_MS, Reports};
+use groundling::worker::{Engine, Learner};
 
 #[test]
 fn what_is_at_work_rests_wherever_it_may() {
@@ -31,4 +33,41 @@ fn what_is_at_work_rests_wherever_it_may() {
         last = Some(next(&mut engine));
     }
     assert!(matches!(last, Some((9, Event::Trained(_)))), "{last:?}");
+}
+
+#[test]
+fn what_rests_or_ends_has_said_how_far_it_came() {
+    // The page steps through examples faster than progress is told.
+    let (mut engine, mut reports) = (learner(), Reports::new());
+    let mut now = 0.0;
+    let mut told = |engine: &mut Engine<Learner>, id, request| {
+        engine.start(id, request);
+        let mut told = Vec::new();
+        while engine.busy() {
+            now += REPORT_MS / 100.0;
+            told.extend(
+                engine.step().into_iter().flat_map(|(id, event)| reports.tell(now, id, event)),
+            );
+        }
+        told
+    };
+    let seen = |told: &[(u32, Event)]| {
+        let seen = told.iter().filter_map(|(_, event)| match event {
+            Event::Progress(progress) => Some(progress.example),
+            _ => None,
+        });
+        seen.collect::<Vec<usize>>()
+    };
+    engine.start(1, learn(9));
+    for example in 1..=4 {
+        let said = told(&mut engine, 2, Request::StepExample);
+        assert_eq!(seen(&said), [example]);
+        assert_eq!(said.last(), Some(&(1, Event::Paused)), "and then that it rests");
+    }
+    // What is asked besides leaves what is held where it is.
+    let said = told(&mut engine, 9, Request::Look);
+    assert!(matches!(&said[..], [(9, Event::Look(_))]), "{said:?}");
+    let said = told(&mut engine, 10, Request::Resume);
+    assert!(matches!(said.last(), Some((1, Event::Trained(_)))), "{said:?}");
+    assert!(seen(&said).len() < 9 * 6, "not every example is told: {said:?}");
 }
