@@ -54,10 +54,10 @@ function listen(server, port, tries) {
 
 /**
  * Serves `folder` at `http://127.0.0.1:PORT` + `under`. A port that is taken gives way to the next one;
- * port 0 takes any. With `packed` what travels is packed, as most hosts do it. Returns the address and a function that
- * ends the server.
+ * port 0 takes any. With `packed` what travels is packed, as most hosts do it; `headers` names those that a file (by its
+ * path below the folder) is sent with besides. Returns the address and a function that ends the server.
  */
-export async function serve(folder, { under = '/', port = 0, packed = false } = {}) {
+export async function serve(folder, { under = '/', port = 0, packed = false, headers = () => ({}) } = {}) {
   const server = http.createServer(async (request, response) => {
     const file = await fileOf(folder, under, request.url);
     if (!file || !['GET', 'HEAD'].includes(request.method)) {
@@ -65,6 +65,7 @@ export async function serve(folder, { under = '/', port = 0, packed = false } = 
       return response.end(file ? 'only reading is served here\n' : 'there is no such file\n');
     }
     const type = TYPES[path.extname(file)] ?? 'application/octet-stream';
+    Object.entries(headers(path.relative(folder, file))).forEach(([name, value]) => response.setHeader(name, value));
     if (packed) {
       const bytes = gzipSync(await readFile(file));
       response.writeHead(200, { 'Content-Type': type, 'Content-Encoding': 'gzip', 'Content-Length': bytes.length });

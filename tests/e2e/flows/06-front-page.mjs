@@ -17,8 +17,7 @@ for (const colorScheme of ['light', 'dark']) {
       await t.golden(`first-${name}-${colorScheme}`, demo.page.locator('html'), { share: 0.02 });
       await t.fits('the first screen');
       await t.accessible('the first screen');
-      const sight = await inSight(demo, ['stage', 'command', 'example-0']);
-      await t.equal(sight, [], 'what is out of sight');
+      await t.equal(() => inSight(demo, ['stage', 'command', 'example-0']), [], 'what is out of sight');
     });
   }
 }
@@ -103,8 +102,10 @@ flow('what is offered can be done, in every room and after the dice', async (t) 
   let tried = 0;
   for (const world of [0, 1, 2, 'dice', 'dice']) {
     if (world === 'dice') {
+      const shown = () => demo.by('stage').getByRole('img').getAttribute('aria-label');
+      const before = await shown();
       await demo.press('dice');
-      await demo.page.waitForTimeout(200);
+      await t.until('other rooms', async () => (await shown()) !== before);
     } else await demo.by('world').selectOption({ index: world });
     const offered = await demo.examples();
     await t.check(offered.length >= 3, `offered in ${world}: ${offered}`);

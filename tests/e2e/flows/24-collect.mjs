@@ -144,11 +144,8 @@ flow('a preview records and sends nothing', async (t) => {
   await person.at('welcome');
 });
 
-flow('the page that asks runs no text as code, and its policy is the guide’s', async (t) => {
+flow('the page that asks runs no text as code', async (t) => {
   t.expect(/content policy|Content Security Policy|another host is asked|request failed: .*csp/i);
-  const [page, guide] = await Promise.all(['www/collect.html', 'www/guide/collect.md'].map((name) => readFile(path.join(root, name), 'utf8')));
-  const [, policy] = /Content-Security-Policy" content="([^"]+)"/.exec(page);
-  await t.check(guide.includes(`\n${policy}\n`), 'the guide gives the same policy');
   await host(t, await makeStudy(t, { asked: 1 }));
   const person = await takePart(t);
   await person.at('welcome');

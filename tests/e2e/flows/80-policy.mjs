@@ -7,6 +7,13 @@ import path from 'node:path';
 import { flow } from '../flow.mjs';
 import { root } from '../packages.mjs';
 import { openPage } from '../page.mjs';
+import { serve } from '../server.mjs';
+
+/** What a file of www holds. */
+const read = (name) => readFile(path.join(root, 'www', name), 'utf8');
+
+/** The policy that a page has of its own. */
+const policyOf = async (name) => /Content-Security-Policy" content="([^"]+)"/.exec(await read(name))[1];
 
 /** A server of another origin that counts who comes, whatever they want. */
 async function stranger() {
@@ -53,10 +60,6 @@ const HELD = {
 
 flow('no program of the page reaches another origin or runs a text as code', async (t) => {
   t.expect(/content policy|Content Security Policy|another host is asked|ERR_BLOCKED_BY_CSP|request failed: .*csp/i);
-  const [page, guide] = await Promise.all(['www/index.html', 'www/guide/files.md'].map((name) =>
-    readFile(path.join(root, name), 'utf8')));
-  const [, policy] = /Content-Security-Policy" content="([^"]+)"/.exec(page);
-  await t.check(guide.includes(`\nContent-Security-Policy: ${policy}; frame-ancestors 'none'\n`), 'the guide gives the same policy');
   const other = await stranger();
   try {
     const demo = await openPage(t);
@@ -81,44 +84,102 @@ flow('no program of the page reaches another origin or runs a text as code', asy
   }
 });
 
+/** What the page that drives a robot, and its engine, may do and not do. */
+async function robotIsHeld(t, address, other) {
+  const before = other.seen.visits;
+  const page = await t.open(`${address}robot.html`);
+  await page.getByTestId('link').click();
+  await page.getByTestId('command').fill('go to the blue room');
+  await t.until('the engine has come', () => page.getByTestId('ask').isEnabled());
+  await t.equal(other.seen.visits, before, 'visits of another origin');
+  await t.equal(() => page.workers().length, 1, 'engines');
+  const programs = [page, ...page.workers()];
+  for (const program of programs) {
+    const seen = other.seen.visits;
+    const comes = () => program.evaluate(attempts, [other.address, new URL('words.txt', address).href]);
+    // What answers is no socket, but is asked.
+    await t.equal(comes, HELD, 'what comes of leaving the site');
+    await t.check(() => other.seen.visits > seen, 'a socket is asked for');
+  }
+}
+
 flow('the page that drives a robot alone may open sockets, and opens none but to the address that was typed', async (t) => {
   t.expect(/content policy|Content Security Policy|another host is asked|ERR_BLOCKED_BY_CSP|request failed|WebSocket/i);
-  const read = (name) => readFile(path.join(root, 'www', name), 'utf8');
-  const policies = await Promise.all(['robot.html', 'index.html', 'collect.html'].map(async (name) =>
-    /Content-Security-Policy" content="([^"]+)"/.exec(await read(name))[1]));
-  const guide = await read('guide/robot.md');
-  await t.check(guide.includes(`\n${policies[0]}\n`), 'the guide gives the same policy');
+  const policies = await Promise.all(['robot.html', 'index.html', 'collect.html'].map(policyOf));
   await t.equal(policies.map((policy) => /\bwss?:/.test(policy)), [true, false, false], 'who may open sockets');
   const other = await stranger();
   try {
-    const page = await t.open(`${t.address}robot.html`);
-    await page.getByTestId('link').click();
-    await page.getByTestId('command').fill('go to the blue room');
-    await t.until('the engine has come', () => page.getByTestId('ask').isEnabled());
-    await t.equal(other.seen.visits, 0, 'visits of another origin');
-    const comes = () => page.evaluate(attempts, [other.address, new URL('words.txt', t.address).href]);
-    // What answers is no socket, but is asked.
-    await t.equal(comes, HELD, 'what comes of leaving the site');
-    await t.check(() => other.seen.visits > 0, 'a socket is asked for');
+    await robotIsHeld(t, t.address, other);
   } finally {
     await other.close();
   }
 });
 
-flow('the service worker asks for nothing but the files of its site', { serviceWorkers: 'allow' }, async (t) => {
-  const asked = [];
-  t.context.on('request', (request) => {
-    if (request.serviceWorker()) asked.push(request.url());
+/** The headers of every file, and of those that the guide names: what the guides tell a host to send. */
+async function guided() {
+  const blocks = (text) => [...text.matchAll(/\n```\n([^`]+)\n```\n/g)].map(([, block]) => block);
+  const headers = (block) => Object.fromEntries(block.split('\n').map((line) => {
+    const [, name, value] = /^([\w-]+): (.+)$/.exec(line);
+    return [name, value];
+  }));
+  const all = headers(blocks(await read('guide/files.md')).find((block) => block.startsWith('Content-Security-Policy: ')));
+  const own = async (name) => {
+    const policy = blocks(await read(`guide/${name}.md`)).find((block) => block.startsWith('default-src'));
+    return { ...all, 'Content-Security-Policy': `${policy}; frame-ancestors 'none'` };
+  };
+  return { 'index.html': all, 'robot.html': await own('robot'), 'collect.html': await own('collect') };
+}
+
+flow('every page works under the headers that the guides tell a host to send', { serviceWorkers: 'allow' }, async (t) => {
+  t.expect(/content policy|Content Security Policy|another host is asked|ERR_BLOCKED_BY_CSP|request failed|WebSocket/i);
+  const sent = await guided();
+  for (const [name, { 'Content-Security-Policy': policy }] of Object.entries(sent)) {
+    await t.equal(policy, `${await policyOf(name)}; frame-ancestors 'none'`, `the policy of ${name} in its guide`);
+  }
+  const other = await stranger();
+  const site = await serve(process.env.SITE ?? path.join(root, 'target/site'), {
+    under: '/sent/', headers: (name) => sent[name] ?? sent['index.html'],
   });
-  const demo = await openPage(t);
-  await demo.page.evaluate(() => navigator.serviceWorker.ready);
-  await demo.page.reload();
-  await demo.ready();
-  await demo.workbench();
-  await t.until('it has asked for the site', () => asked.some((url) => url.endsWith('learner_bg.wasm')));
-  await t.equal(asked.filter((url) => !url.startsWith(t.address)), [], 'what it asked for elsewhere');
-  const code = (await readFile(path.join(root, 'www/sw.js'), 'utf8')).replaceAll(/^\s*\/\/.*$/gm, '');
-  await t.equal(code.match(/\bfetch\([^)]*\)/g), ['fetch(scope)', 'fetch(request)'], 'what it fetches');
-  await t.check(!/\b(eval|Function|import|importScripts|WebSocket|EventSource|XMLHttpRequest|setTimeout|postMessage)\b/.test(code),
-    'it has no other way to anywhere');
+  try {
+    const demo = await openPage(t, site.address);
+    await demo.ask('put the yellow block in the biggest room');
+    await demo.page.evaluate(() => navigator.serviceWorker.ready);
+    await t.context.setOffline(true);
+    await demo.page.reload();
+    await demo.ready();
+    await t.context.setOffline(false);
+    await demo.workbench();
+    await demo.train();
+    await robotIsHeld(t, site.address, other);
+    const collect = await t.open(`${site.address}collect.html`);
+    await collect.locator('.collect[data-stage]').waitFor();
+    await collect.evaluate(() => navigator.serviceWorker.ready);
+    // Where a study's answers go is not known before the study is.
+    await t.equal(() => collect.evaluate(attempts, [other.address, new URL('collect.js', site.address).href]),
+      { ...HELD, fetch: 'done', blind: 'done' }, 'what the page that asks may do');
+  } finally {
+    await site.close();
+    await other.close();
+  }
 });
+
+for (const [worker, first, next, fetches] of [
+  ['sw.js', 'index.html', 'robot.html', ['fetch(scope)', 'fetch(request)']],
+  ['collect-sw.js', 'collect.html', 'collect.html', ['fetch(request)']],
+]) {
+  flow(`${worker} asks for nothing but the files of its site`, { serviceWorkers: 'allow' }, async (t) => {
+    const asked = [];
+    t.context.on('request', (request) => {
+      if (request.serviceWorker()) asked.push(request.url());
+    });
+    const page = await t.open(`${t.address}${first}`);
+    await page.evaluate(() => navigator.serviceWorker.ready);
+    await page.goto(`${t.address}${next}`);
+    await t.until('it has asked for the site', () => asked.some((url) => url.endsWith('boot.js')));
+    await t.equal(asked.filter((url) => !url.startsWith(t.address)), [], 'what it asked for elsewhere');
+    const code = (await read(worker)).replaceAll(/^\s*\/\/.*$/gm, '');
+    await t.equal(code.match(/\bfetch\([^)]*\)/g), fetches, 'what it fetches');
+    await t.check(!/\b(eval|Function|import|importScripts|WebSocket|EventSource|XMLHttpRequest|setTimeout|postMessage)\b/.test(code),
+      'it has no other way to anywhere');
+  });
+}
