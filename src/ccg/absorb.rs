@@ -20,6 +20,12 @@ const WITHIN: [&str; 6] = ["in", "into", "inside", "within", "with", "of"];
 /// What is wanted somewhere is a thing.
 const WANTS: [&str; 4] = ["want", "need", "like", "see"];
 
+/// With these begins what is said of something besides.
+const ANEW: [&str; 14] = [
+    "is", "are", "be", "has", "have", "with", "that", "which", "who", "stay", "remain", "wait",
+    "stand", "rest",
+];
+
 /// Which words may go without meaning.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Leniency {
@@ -148,6 +154,24 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
         (stands(at) || at > 0 && stands(at - 1))
             && words[..at].iter().any(|word| is(model, word, brings_thing))
     };
+    // What is joined to what is denied begins anew, if not with the same word ("not in red or in blue"): "without the chair and
+    // with the block", "out of red and in blue", "that is not red and has the chair".
+    let begins_anew = |at: usize| {
+        let word = &*words[at];
+        let joins =
+            |at: usize| closed[at] == Some(Kind::Joins) || matches!(&*words[at], "then" | "but");
+        let is_joined = at > 0 && joins(at - 1);
+        let is_again = || (1..at - 1).any(|turn| turns(turn - 1) && words[turn] == word);
+        is_joined
+            && closed.get(at + 1).is_some_and(|next| *next != Some(Kind::Turns))
+            && (0..at - 1).any(turns)
+            && (ANEW.contains(&word)
+                || is(model, word, is_preposition)
+                || is_verb_word(model, word))
+            && !is_again()
+    };
+    // "Drop off the chair" does not say to keep off it.
+    let drops = |at: usize| words[at] == "drop" && words.get(at + 1).is_some_and(|w| w == "off");
     // Who cleans a room does not just go there.
     let clears = |at: usize| matches!(&*words[at], "clean" | "tidy");
     let speaks = |at: usize| {
@@ -164,12 +188,15 @@ fn may_be_silent(model: &Model, words: &[String]) -> Vec<bool> {
             || is_cut_off(at)
             || is_with_you(at)
             || clears(at)
+            || drops(at)
+            || begins_anew(at)
     };
     (0..words.len()).map(|at| !speaks(at) && !clauses.contains(&at)).collect()
 }
 
-/// Where other clauses begin behind a word that turns round or orders, whose own verb is itself or the next ("don't go to the
-/// red room, go to the blue one"). Verbs next to one another are one ("go get").
+/// Where other clauses begin behind a word that turns round or orders, whose own verb is itself, the next or one before it
+/// ("don't go to the red room, go to the blue one", "keep away from the chair, stay in the blue room"). Verbs next to one
+/// another are one ("go get").
 pub(super) fn clauses_behind(
     model: &Model,
     words: &[String],
@@ -177,9 +204,15 @@ pub(super) fn clauses_behind(
 ) -> Vec<usize> {
     let turns = |kind: &Option<Kind>| matches!(kind, Some(Kind::Turns | Kind::Orders));
     let Some(turn) = closed.iter().position(turns) else { return Vec::new() };
+    let acts = |at: usize| is_verb_word(model, &words[at]);
+    let lasts = |at: usize| matches!(&*words[at], "remain" | "wait");
     let own = is(model, &words[turn], takes_thing).then_some(turn);
-    let behind = (turn + 1..words.len()).filter(|&at| is_verb_word(model, &words[at]));
-    let verbs: Vec<usize> = own.into_iter().chain(behind).collect();
+    // Behind a verb before it another begins a clause of its own where nothing joins them.
+    let is_first = own.is_none() && closed[turn] == Some(Kind::Turns);
+    let first = (0..turn).rev().find(|&at| is_first && acts(at));
+    let behind = (turn + 1..words.len())
+        .filter(|&at| (acts(at) || lasts(at)) && (first.is_none() || closed[at - 1].is_none()));
+    let verbs: Vec<usize> = own.or(first).into_iter().chain(behind).collect();
     let begins = verbs.windows(2).filter(|pair| pair[0] + 1 < pair[1]);
     begins.map(|pair| pair[1]).collect()
 }

@@ -80,8 +80,8 @@ impl Context<'_> {
             let at = at + usize::from(self.words[at] == "the");
             self.words.get(at).is_some_and(|word| is_place_word(self.model, word))
         });
-        // A place alone is of the thing that is moved, not of the robot.
-        let moved = is_place && self.moves_thing(at);
+        // A place alone is of the thing that is moved, or spoken of, not of the robot.
+        let moved = is_place && (self.moves_thing(at) || self.says_of_thing(at));
         let turned = self.closed[at] == Some(Kind::Joins) && self.closed[..at].iter().any(turns);
         let joins = matches!(self.closed[at], Some(Kind::Joins | Kind::Orders));
         if !(joins && moved || turned) {
@@ -140,6 +140,18 @@ impl Context<'_> {
         };
         let first = (0..end).find(kind).map(|at| &*self.words[at]);
         first.is_some_and(|word| is_bare_noun(self.model, word) && !PLACES.contains(&word))
+    }
+
+    /// Whether a sentence says of a thing what is to become of it: "the block should be in the red room and not in the blue".
+    pub(super) fn says_of_thing(&self, end: usize) -> bool {
+        says(&self.words[..end], &MODALS) && self.begins_with_thing(end)
+    }
+
+    /// Whether nothing but a phrase stands before a place: "the red room is closed".
+    pub(super) fn begins_with_noun(&self, end: usize) -> bool {
+        let is_of_phrase =
+            |word: &String| begins_phrase(self.model, word) || is(self.model, word, is_noun);
+        end > 0 && self.words[..end].iter().all(is_of_phrase)
     }
 }
 

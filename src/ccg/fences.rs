@@ -112,17 +112,20 @@ impl Context<'_> {
         !(begins || turns && (says(absorbed, &WANTS) || absorbed.iter().any(acts)))
     }
 
-    /// Whether it is said of a thing that something is to become of it, and not what: "the chair should be moved".
+    /// Whether it is said of a thing that something is to become of it, and not what: "the chair should be moved"; or that
+    /// something is so of which nothing is known here: "the red room is closed".
     fn is_open(&self) -> bool {
-        let modal = self.words.iter().position(|word| MODALS.contains(&&**word));
-        modal.is_some_and(|at| {
-            let says_what = |word: &String| {
-                is(self.model, word, is_noun)
-                    || is_adjective(self.model, word)
-                    || is(self.model, word, is_preposition)
-            };
-            self.begins_with_thing(at) && !self.words[at + 1..].iter().any(says_what)
-        })
+        let last = self.words.len() - 1;
+        let says_what = |at: usize| {
+            let word = &self.words[at];
+            is(self.model, word, is_noun)
+                || is_adjective(self.model, word)
+                || at < last && is(self.model, word, is_preposition)
+        };
+        let verb = |verbs: &[&str]| self.words.iter().position(|word| verbs.contains(&&**word));
+        let is_left_open = |at: usize| !(at + 1..=last).any(says_what);
+        verb(&MODALS).is_some_and(|at| self.begins_with_thing(at) && is_left_open(at))
+            || verb(&IS).is_some_and(|at| self.begins_with_noun(at) && is_left_open(at))
     }
 
     /// Where the verb or place stands before which no clause that begins at a place ends: a thing that is joined to another is

@@ -165,3 +165,134 @@ fn no_command_is_answered_as_if_a_word_that_turns_round_were_not_there() {
     assert!(asked > 900, "{asked} commands");
     assert!(silent.is_empty(), "{silent:#?}");
 }
+
+/// Whether a goal speaks of a word, and whether it denies what it says of it.
+fn speaks_of(goal: &str, word: &str) -> (bool, bool) {
+    let (mut open, mut is_not, mut token) = (vec![false], false, String::new());
+    let (mut says, mut denies) = (false, false);
+    for letter in goal.chars() {
+        if letter.is_alphabetic() && letter != 'λ' {
+            token.push(letter);
+            continue;
+        }
+        let is_denied = open.last().is_some_and(|&outer| outer != is_not);
+        if token == word {
+            (says, denies) = (true, denies || is_denied);
+        }
+        match letter {
+            '¬' => is_not = !is_not,
+            '(' => open.push(is_denied),
+            ')' => _ = open.pop(),
+            _ => {}
+        }
+        is_not &= letter == '¬';
+        token.clear();
+    }
+    (says, denies)
+}
+
+#[test]
+fn what_a_goal_denies_is_seen() {
+    let goal = "in(the agent, the λx. ¬red(x) ∧ room(x)) ∧ ¬(∃y. chair(y) ∧ ¬in(y, the block))";
+    for (word, said) in [
+        ("agent", (true, false)),
+        ("red", (true, true)),
+        ("chair", (true, true)),
+        ("bag", (false, false)),
+    ] {
+        assert_eq!(speaks_of(goal, word), said, "{word}");
+    }
+    assert_eq!(speaks_of(goal, "block"), (true, false), "denied twice");
+}
+
+/// Denials of a place, a room or a thing that say "red" or "chair", and what is joined to them, which says "blue" or "block" and
+/// is not denied.
+const DENIED_PLACES: [&str; 7] = [
+    "stay out of the red room",
+    "keep out of red",
+    "leave the red room",
+    "get out of red",
+    "stay away from the red room",
+    "keep away from the chair",
+    "never enter red",
+];
+const OTHER_PLACES: [&str; 10] = [
+    "stay in the blue room",
+    "go to the blue room",
+    "be in blue",
+    "remain in blue",
+    "wait in the blue room",
+    "stand by the block",
+    "come near the block",
+    "enter the blue room",
+    "head for blue",
+    "go inside blue",
+];
+const DENIED_ROOMS: [&str; 6] = [
+    "go to the room without a chair",
+    "go to the room without the chair",
+    "go to the room that is not red",
+    "put the bag in a room with no chair",
+    "go to the room that does not have the chair",
+    "go to the room other than the red one",
+];
+const OTHER_ROOMS: [&str; 6] = [
+    "with a block",
+    "has a block",
+    "that has the block",
+    "contains the block",
+    "is blue",
+    "with the block in it",
+];
+const DENIED_THINGS: [&str; 6] = [
+    "the chair must not be in red",
+    "the chair should not be in the red room",
+    "keep the chair out of red",
+    "take the chair out of the red room",
+    "never leave the chair in the red room",
+    "remove the chair from red",
+];
+const PUT_ELSEWHERE: [&str; 6] = [
+    "put it in blue",
+    "should be in blue",
+    "place it by the block",
+    "take it to the blue room",
+    "it should be in blue",
+    "bring the chair to blue",
+];
+
+#[test]
+fn what_is_joined_to_a_denial_is_not_denied_with_it() {
+    let mut model = shipped();
+    let (mut answered, mut wrong) = (0, Vec::new());
+    let (all, both) = (&["and", "but", "and then"][..], &["and", "but"][..]);
+    let grids = [
+        (&DENIED_PLACES[..], all, &OTHER_PLACES[..]),
+        (&DENIED_ROOMS[..], both, &OTHER_ROOMS[..]),
+        (&DENIED_THINGS[..], all, &PUT_ELSEWHERE[..]),
+    ];
+    for (denials, joints, others) in grids {
+        let joined =
+            denials.iter().flat_map(|denial| joints.iter().map(move |joint| (denial, joint)));
+        for ((denial, joint), other) in
+            joined.flat_map(|joined| others.iter().map(move |other| (joined, other)))
+        {
+            let command = format!("{denial} {joint} {other}");
+            let parse = asked(&mut model, &command);
+            let Some(best) = parse.readings.first() else { continue };
+            if parse.reason.is_some() || !parse.skipped.is_empty() {
+                continue;
+            }
+            answered += 1;
+            let goal = print_human(&model.grammar.terms, best.form);
+            let first = if denial.contains("red") { "red" } else { "chair" };
+            let second = if other.contains("blue") { "blue" } else { "block" };
+            let told = (speaks_of(&goal, first), speaks_of(&goal, second));
+            if told != ((true, true), (true, false)) {
+                wrong.push(format!("{command}\n=> {goal}"));
+            }
+        }
+    }
+    assert!(answered > 200, "{answered} were answered");
+    assert!(wrong.is_empty(), "{} of {answered}:\n{}", wrong.len(), wrong.join("\n"));
+}

@@ -11,6 +11,8 @@ use crate::ccg::word_kind::{
 pub(super) const RULES: &[Rule] = &[
     adjective,
     phrase,
+    again,
+    has_neither,
     more,
     no_room,
     nothing,
@@ -18,6 +20,7 @@ pub(super) const RULES: &[Rule] = &[
     but_clause,
     but_thing,
     but_place,
+    denied_both,
     without,
     goes_out,
     stays_out,
@@ -57,6 +60,19 @@ fn phrase(s: &Standing) -> bool {
     let of_place = || s.text == "PP/PP" && determines(s.next());
     s.says(&["not"])
         && (s.rest.is_empty() || of_place() || s.text.starts_with("NEG/") && is_phrase())
+}
+
+/// What is denied twice is denied both times: "somewhere that is not red and is not blue" is no place that is in no blue room.
+fn again(s: &Standing) -> bool {
+    let is_joined = s.kind_before() == Some(Kind::Joins) || s.before() == Some("is");
+    s.text == "N/N/(N/N)" && s.says(&["not"]) && is_joined && s.did(Kind::Turns)
+}
+
+/// In "the room that has neither a chair nor a block" that is what the room has, not where one goes.
+fn has_neither(s: &Standing) -> bool {
+    s.says(&["neither"])
+        && s.before().is_some_and(|word| HOLDS.contains(&word))
+        && !(s.text.starts_with("N\\N") || s.text.starts_with("S\\NP"))
 }
 
 /// "Not only" is said as one.
@@ -114,6 +130,16 @@ fn begins_except(s: &Standing) -> bool {
 /// "But to the blue room" is where to go instead, no other clause.
 fn but_place(s: &Standing) -> bool {
     s.text == "T\\NEG/T" && s.own[0] == "but" && (s.opens_phrase() || s.opens_place())
+}
+
+/// What stands behind "but", or is done besides, is not denied with the place before it: "do not go to the red room but near the
+/// block".
+fn denied_both(s: &Standing) -> bool {
+    let is_place =
+        |at: usize| s.context.words.get(at).is_some_and(|word| is_place_word(s.model(), word));
+    let denies =
+        |at: usize| s.context.closed[at] == Some(Kind::Turns) && !is_place(at) && !is_place(at + 1);
+    s.text == "PP\\PP/PP" && s.own[0] != "or" && (0..s.item.start).any(denies)
 }
 
 /// Not to leave a place without a thing is no place without it.

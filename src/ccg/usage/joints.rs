@@ -13,6 +13,7 @@ pub(super) const RULES: &[Rule] = &[
     two_clauses,
     at_once,
     goes_then,
+    next_to,
     as_well,
     was_brought,
     both_are_there,
@@ -47,6 +48,12 @@ fn at_once(s: &Standing) -> bool {
 fn goes_then(s: &Standing) -> bool {
     let then = s.own.iter().any(|word| word == "then");
     s.text == "PP\\PP/NP" && then && !s.context.moves_thing(s.item.start)
+}
+
+/// "And next to the block" is no next step.
+fn next_to(s: &Standing) -> bool {
+    let is_next = s.own.last().is_some_and(|last| last == "next");
+    s.syntaxes().joined(s.syntax()) == Some(SyntaxId::T) && is_next && s.next() == Some("to")
 }
 
 /// What is said of a thing beside another is of that thing, where it is said to be so as well.

@@ -10,6 +10,7 @@ use crate::ccg::word_kind::{
 
 pub(super) const RULES: &[Rule] = &[
     passes,
+    ends_elsewhere,
     moves_thing,
     sends_none,
     leaves_thing,
@@ -30,6 +31,11 @@ fn passes(s: &Standing) -> bool {
     s.text == "T/NP" && clause.any(|word| matches!(word, "to" | "into"))
 }
 
+/// What one passes is not where one ends, though it is where one must not be: "do not pass the red room".
+fn ends_elsewhere(s: &Standing) -> bool {
+    s.text == "S/NP" && matches!(s.word(), Some("pass" | "passing")) && !s.did(Kind::Turns)
+}
+
 /// One moves along a way, or moves a thing.
 fn moves_thing(s: &Standing) -> bool {
     matches!(s.text, "T/T/(T/T)" | "T\\T/(T\\T)")
@@ -37,12 +43,18 @@ fn moves_thing(s: &Standing) -> bool {
         && s.opens_phrase()
 }
 
-/// "The block should go to the red room" sends no robot there.
+/// "The block should go to the red room" sends no robot there, nor does "the block must not be in red and be in blue".
 fn sends_none(s: &Standing) -> bool {
+    let is_said = |word: &str| MODALS.contains(&word);
+    let is_joined = || {
+        s.word() == Some("be")
+            && s.kind_before() == Some(Kind::Joins)
+            && s.context.says_of_thing(s.item.start)
+    };
     s.text == "S/PP"
         && s.word().is_some()
-        && s.before().is_some_and(|word| MODALS.contains(&word))
-        && s.context.begins_with_thing(s.item.start)
+        && (s.before().is_some_and(is_said) && s.context.begins_with_thing(s.item.start)
+            || is_joined())
 }
 
 /// One leaves a place; to leave a thing is to let it be.
