@@ -265,15 +265,16 @@ impl<R: Read> Records<R> {
 
 /// What parts the cells of a file that begins so, and how many bytes of it say that and are no record.
 fn separator(head: &[u8]) -> (u8, usize) {
-    let line = head.split(|&byte| byte == b'\n').next().unwrap_or_default();
-    let said = line.trim_ascii_end();
-    let said = said.strip_prefix(b"\"").and_then(|said| said.strip_suffix(b"\"")).unwrap_or(said);
-    if let [b's', b'e', b'p', b'=', separator] = *said {
-        return (separator, (line.len() + 1).min(head.len()));
+    let is_break = |byte: &u8| matches!(byte, b'\n' | b'\r');
+    let end = head.iter().position(is_break).unwrap_or(head.len());
+    let (line, rest) = head.split_at(end);
+    if let Some(separator) = separator_said(line) {
+        let end = end + if rest.starts_with(b"\r\n") { 2 } else { rest.len().min(1) };
+        return (separator, end);
     }
     let mut counts = [0usize; SEPARATORS.len()];
     let mut is_quoted = false;
-    for byte in head.iter().take_while(|&&byte| byte != b'\n' && byte != b'\r') {
+    for byte in line {
         is_quoted ^= *byte == b'"';
         if let Some(at) = SEPARATORS.iter().position(|other| other == byte && !is_quoted) {
             counts[at] += 1;
@@ -282,4 +283,28 @@ fn separator(head: &[u8]) -> (u8, usize) {
     // The first of those that stand equally often, as a comma does where none stands.
     let most = (0..counts.len()).rev().max_by_key(|&at| counts[at]).unwrap_or(0);
     (SEPARATORS[most], 0)
+}
+
+/// What a line `sep=…` says parts the cells; such a line may stand in quotes. A program that has taken it for a record
+/// writes it with cells that are empty behind it: then it is what parts those.
+fn separator_said(line: &[u8]) -> Option<u8> {
+    let is_quoted = line.first() == Some(&b'"');
+    let line = line.strip_prefix(b"\"").unwrap_or(line);
+    let (name, said) = line.split_at_checked(4)?;
+    if !name.eq_ignore_ascii_case(b"sep=") {
+        return None;
+    }
+    let (separator, rest) = match said {
+        [b'\\', b't', rest @ ..] => (b'\t', rest),
+        [separator, rest @ ..] => (*separator, rest),
+        [] => return None,
+    };
+    let rest = if is_quoted { rest.strip_prefix(b"\"")? } else { rest };
+    match rest.trim_ascii_end().first().filter(|first| SEPARATORS.contains(first)) {
+        Some(first) if rest.iter().all(|byte| byte == first || *byte == b' ') => Some(*first),
+        None if rest.trim_ascii().is_empty() && !separator.is_ascii_alphanumeric() => {
+            Some(separator)
+        }
+        _ => None,
+    }
 }
