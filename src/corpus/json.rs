@@ -2,13 +2,16 @@
 
 use super::flaw::{Wrong, cut, cut_quoted};
 use super::limits::MAX_CELL_BYTES;
+use crate::domain::misread::{in_words, is_broken};
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
+use serde_json::Value;
 
 /// Reads any JSON text, naming the place of what is wrong.
 ///
 /// # Errors
 /// What is wrong, where in the text, and what to mend.
-pub fn json<T: DeserializeOwned>(text: &str) -> Result<T, Wrong> {
+pub fn json<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Wrong> {
     if text.trim().is_empty() {
         return Err(Wrong::with_mend("the cell is empty", "it must hold JSON"));
     }
@@ -22,7 +25,7 @@ pub fn json<T: DeserializeOwned>(text: &str) -> Result<T, Wrong> {
 ///
 /// # Errors
 /// What is wrong, where in the text, and what to mend.
-pub fn whole_json<T: DeserializeOwned>(text: &str) -> Result<T, Wrong> {
+pub fn whole_json<'a, T: Deserialize<'a>>(text: &'a str) -> Result<T, Wrong> {
     let mut reader = serde_json::Deserializer::from_str(text);
     let value = serde_path_to_error::deserialize(&mut reader).map_err(|error| {
         let path = error.path().to_string();
@@ -30,6 +33,17 @@ pub fn whole_json<T: DeserializeOwned>(text: &str) -> Result<T, Wrong> {
     })?;
     reader.end().map_err(|error| explain(text, ".", &error))?;
     Ok(value)
+}
+
+/// The same for a value that has been read.
+///
+/// # Errors
+/// What is wrong, where in the value, and what to mend.
+pub fn of_value<T: DeserializeOwned>(value: Value) -> Result<T, Wrong> {
+    serde_path_to_error::deserialize(value).map_err(|error| {
+        let (path, what) = (error.path().to_string(), in_words(error.inner(), false));
+        misfit(&cut_quoted(&what), &path, None)
+    })
 }
 
 /// The candidate that is nearest to `word` by edits, if one is near.
@@ -48,20 +62,24 @@ pub fn did_you_mean<'a>(
 fn explain(text: &str, path: &str, error: &serde_json::Error) -> Wrong {
     let offset = offset(text, error.line(), error.column());
     let character = text.get(..offset).unwrap_or(text).chars().count().max(1);
-    let full = error.to_string();
-    let detail = full.split(" at line ").next().unwrap_or(&full);
-    if error.is_syntax() || error.is_eof() {
+    let is_broken = is_broken(text, error);
+    let detail = cut_quoted(&in_words(error, is_broken));
+    if is_broken {
         let near: String = text.chars().skip(character.saturating_sub(12)).take(24).collect();
         // As Python prints what it has read.
         let mend = text.trim_start().starts_with("{'").then(|| "write it as JSON does".to_owned());
-        let what =
-            format!("not JSON: {}, at character {character} of the cell", cut_quoted(detail));
+        let what = format!("not JSON: {detail}, at character {character}");
         return Wrong { snippet: Some(near), mend, ..Wrong::from(what) };
     }
+    misfit(&detail, path, Some(character))
+}
+
+/// What is wrong with JSON that is not what is wanted.
+fn misfit(what: &str, path: &str, character: Option<usize>) -> Wrong {
     let at = if path == "." { "the top".to_owned() } else { cut(path, 80) };
-    let mend = unknown_word(detail).map(|(word, near)| format!("did you mean {near} for {word}?"));
-    let what = format!("{}, at {at}, character {character}", cut_quoted(detail));
-    Wrong { mend, ..Wrong::from(what) }
+    let place = character.map_or(String::new(), |character| format!(", character {character}"));
+    let mend = unknown_word(what).map(|(word, near)| format!("did you mean {near} for {word}?"));
+    Wrong { mend, ..Wrong::from(format!("{what}, at {at}{place}")) }
 }
 
 /// The word that a message of the world's closed sets refuses, and the known one nearest to it.

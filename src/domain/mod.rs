@@ -1,6 +1,7 @@
 //! Cleanup World as an object-oriented MDP (MacGlashan et al. 2015; Diuk et al. 2008). Knows no language.
 
 pub(crate) mod name;
+pub mod misread;
 pub mod object;
 pub mod cell;
 pub mod state;

@@ -2,6 +2,7 @@
 //! [`State::read`] or [`State::check`] is legal: nothing stands in a wall and no two things share a cell.
 
 use super::cell::{Cell, cell_at};
+use super::misread::{in_words, is_broken};
 use super::object::{Agent, Bounds, Door, Object, Room};
 use serde::{Deserialize, Serialize};
 
@@ -161,9 +162,9 @@ impl State {
         let mut json = serde_json::Deserializer::from_str(text);
         let state: Self = serde_path_to_error::deserialize(&mut json).map_err(|e| {
             let path = e.path().to_string();
-            json_error(if path == "." { String::new() } else { path }, e.inner())
+            json_error(text, if path == "." { String::new() } else { path }, e.inner())
         })?;
-        json.end().map_err(|e| json_error(String::new(), &e))?;
+        json.end().map_err(|e| json_error(text, String::new(), &e))?;
         Ok(state)
     }
 
@@ -227,21 +228,20 @@ impl State {
     }
 }
 
-/// The error of `serde_json` with its place taken apart and a remedy for what people meet most.
-fn json_error(path: String, error: &serde_json::Error) -> ReadError {
-    let text = error.to_string();
-    let message = text.rsplit_once(" at line ").map_or(text.as_str(), |(m, _)| m);
-    let remedy = match error.classify() {
-        serde_json::error::Category::Eof => ": the text ends too early, is it whole?",
-        serde_json::error::Category::Syntax => ": this is not JSON, check quotes and commas here",
-        _ if message.starts_with("missing field") => ": add it",
-        _ if message.starts_with("invalid type") => ": put the right kind of value here",
-        _ => "",
+/// The error of `serde_json` in words, with its place taken apart and a remedy for what people meet most.
+fn json_error(text: &str, path: String, error: &serde_json::Error) -> ReadError {
+    let is_broken = is_broken(text, error);
+    let message = in_words(error, is_broken);
+    let remedy = if is_broken && error.is_eof() {
+        ": the text ends too early, is it whole?"
+    } else if is_broken {
+        ": this is not JSON, check quotes and commas here"
+    } else if message.starts_with("missing field") {
+        ": add it"
+    } else if message.starts_with("invalid type") {
+        ": put the right kind of value here"
+    } else {
+        ""
     };
-    ReadError::Json {
-        path,
-        message: format!("{message}{remedy}"),
-        line: error.line(),
-        column: error.column(),
-    }
+    ReadError::Json { path, message: message + remedy, line: error.line(), column: error.column() }
 }

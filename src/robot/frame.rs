@@ -2,6 +2,7 @@
 //! and a printer. Python's JSON writes numbers that are none as bare `NaN` and `Infinity`, which is no JSON: that is told
 //! apart, since a robot that says so has lost its place and its bridge is in order.
 
+use crate::domain::misread::in_words;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
@@ -121,9 +122,9 @@ impl Frame {
         }
         let value: Value = serde_json::from_str(text).map_err(|error| match bare(text) {
             Some(word) => Misread::Bare(word),
-            None => Misread::NotJson(error.to_string()),
+            None => Misread::NotJson(in_words(&error, true)),
         })?;
-        serde_json::from_value(value).map_err(|error| Misread::NoFrame(error.to_string()))
+        serde_json::from_value(value).map_err(|error| Misread::NoFrame(in_words(&error, false)))
     }
 
     /// The frame as a line of JSON, which [`Frame::read`] takes back.

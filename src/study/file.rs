@@ -5,6 +5,7 @@ use super::showing::Showing;
 use super::url::Origin;
 use crate::corpus::{Wrong, json};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 /// What a study's file calls itself.
 pub const FORMAT: &str = "groundling study";
@@ -266,6 +267,25 @@ impl Study {
             json::whole_json(text.trim_start_matches('\u{feff}')).map_err(StudyError)?;
         study.check().map_err(StudyError)?;
         Ok(study)
+    }
+
+    /// The study with what else a text of JSON says of it, for [`Study::read`] to check.
+    ///
+    /// # Errors
+    /// What is wrong with the text, and where.
+    pub fn with(&self, settings: &str) -> Result<Study, StudyError> {
+        let mut all = serde_json::to_value(self).unwrap_or_default();
+        let more: Value = json::whole_json(settings).map_err(StudyError)?;
+        let Value::Object(more) = more else {
+            return Err(StudyError(Wrong::with_mend(
+                "these are no settings",
+                "write an object: {\"shown\": 3}",
+            )));
+        };
+        for (key, value) in more {
+            all[key] = value;
+        }
+        json::of_value(all).map_err(StudyError)
     }
 
     /// The study as a file.

@@ -4,6 +4,7 @@
 use super::answer::{Answer, Care, Decided, FORMAT};
 use super::showing::Showing;
 use crate::corpus::{Decision, Example, Flaw, Options, Reading, Wrong};
+use crate::domain::misread::{self, in_words};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use std::io::Cursor;
@@ -145,7 +146,7 @@ impl Gathering {
                     Line::From(first) => first + (error.line() as u64).saturating_sub(1),
                     Line::All(line) => line,
                 };
-                let what = format!("this is no JSON: {error}");
+                let what = format!("this is no JSON: {}", in_words(&error, true));
                 let wrong = Wrong::with_mend(what, "mend the line, or give the file again");
                 self.flaws.push(Flaw { line, ..Flaw::of_file(wrong) });
                 // What follows on the next line may be whole.
@@ -169,7 +170,7 @@ impl Gathering {
             serde_json::from_str(value?.get()).ok()
         };
         if string(head.format).as_deref() == Some(FORMAT) {
-            match serde_json::from_str::<Answer>(text) {
+            match misread::read::<Answer>(text) {
                 Ok(answer) => {
                     let decided = decided(string(head.status), string(head.reject));
                     self.answers.push((answer, decided));

@@ -2,6 +2,7 @@
 
 use super::job::{Job, Step};
 use super::protocol::{Event, StudySaid};
+use crate::domain::misread;
 use crate::study::make::Making;
 use crate::study::tasks::must;
 use crate::study::{Study, TASKS, read_tasks};
@@ -26,8 +27,8 @@ pub(super) struct Wanted {
 /// In words: what is wrong with the texts.
 pub(super) fn make<R>(wanted: Wanted) -> Result<Job<R>, String> {
     let Wanted { study, tasks, pairs, has_ways, checks } = wanted;
-    let study: Study = serde_json::from_str(&study)
-        .map_err(|error| format!("The study cannot be read: {error}."))?;
+    let study: Study =
+        misread::read(&study).map_err(|error| format!("The study cannot be read: {error}."))?;
     let tasks = if tasks.trim().is_empty() { TASKS } else { &tasks };
     let mut tasks =
         read_tasks(tasks).map_err(|error| format!("The tasks cannot be read: {error}."))?;

@@ -1,6 +1,7 @@
 //! `equivalent`: JSON lines `{a, b, initial?}` in, `{"equivalent", "run"?}` out.
 
 use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
+use groundling::corpus::json::whole_json;
 use groundling::domain::State;
 use groundling::ground::{Comparison, compare};
 use groundling::logic::{Terms, read};
@@ -35,7 +36,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
 }
 
 fn answer(line: &str) -> Result<String, String> {
-    let question: Question<'_> = serde_json::from_str(line).map_err(|error| error.to_string())?;
+    let question: Question<'_> = whole_json(line).map_err(|wrong| wrong.to_string())?;
     let mut terms = Terms::new();
     let a = read(&mut terms, &question.a).map_err(|error| format!("a: {error}"))?;
     let b = read(&mut terms, &question.b).map_err(|error| format!("b: {error}"))?;

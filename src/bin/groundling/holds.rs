@@ -2,6 +2,7 @@
 
 use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
 use groundling::corpus::cell;
+use groundling::corpus::json::whole_json;
 use groundling::domain::State;
 use groundling::ground::{Course, Goal};
 use groundling::logic::ty::RUN;
@@ -43,7 +44,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
 }
 
 fn answer(line: &str) -> Result<String, String> {
-    let question: Question<'_> = serde_json::from_str(line).map_err(|error| error.to_string())?;
+    let question: Question<'_> = whole_json(line).map_err(|wrong| wrong.to_string())?;
     // An arena a line: a long stream must not grow without end.
     let mut terms = Terms::new();
     let term = read(&mut terms, &question.goal).map_err(|error| format!("goal: {error}"))?;

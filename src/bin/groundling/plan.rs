@@ -1,6 +1,7 @@
 //! `plan`: a goal and a world a line in, a plan or what a policy is worth out.
 
 use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
+use groundling::corpus::json::whole_json;
 use groundling::domain::{Action, Chances, Form, Movable, Rules, State};
 use groundling::ground::{Constraint, Course, ErrandError, Goal, Task, Undertaking};
 use groundling::logic::ty::RUN;
@@ -122,7 +123,7 @@ fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
 }
 
 fn answer(line: &str) -> Result<Answer, String> {
-    let question: Question<'_> = serde_json::from_str(line).map_err(|e| e.to_string())?;
+    let question: Question<'_> = whole_json(line).map_err(|wrong| wrong.to_string())?;
     let (mut rules, landmarks_stay) = rules(&question)?;
     let solver = solver(&question)?;
     let runs = question.rollouts.unwrap_or(0);

@@ -4,7 +4,6 @@ use super::command::{Done, Failure};
 use super::corpora::{examples, text};
 use groundling::study::make::{Making, of_corpus};
 use groundling::study::{Study, StudyTask};
-use serde_json::Value;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
@@ -46,14 +45,8 @@ pub(crate) fn write(
     let mut study = Study::new(name, Vec::new());
     study.seed = u32::try_from(seed).map_err(|_| usage("a study's seed is below 4294967296"))?;
     if let Some(path) = &wanted.settings {
-        let wrong = |what: String| Failure::Usage(format!("{}: {what}", path.display()));
-        let mut all = serde_json::to_value(&study).unwrap_or_default();
-        let more: Value = serde_json::from_str(&text(path)?).map_err(|e| wrong(e.to_string()))?;
-        let more = more.as_object().ok_or_else(|| wrong("settings are an object".to_owned()))?;
-        for (key, value) in more {
-            all[key] = value.clone();
-        }
-        study = serde_json::from_value(all).map_err(|e| wrong(e.to_string()))?;
+        let read = study.with(&text(path)?);
+        study = read.map_err(|e| Failure::Usage(format!("{}: {e}", path.display())))?;
     }
     let study = match tasks {
         None if wanted.corpus.is_empty() => {

@@ -4,7 +4,8 @@
 use super::spans;
 use super::spec::{MOST_RUNS, Plan, RunSpec};
 use crate::ccg::Kind;
-use crate::corpus::{Example, folds, share};
+use crate::corpus::json::whole_json;
+use crate::corpus::{Example, Wrong, folds, share};
 use crate::learn::experiment::By;
 use crate::learn::paper;
 use crate::learn::settings::Settings;
@@ -55,6 +56,14 @@ pub enum Matrix {
 }
 
 impl Matrix {
+    /// Reads which runs a text of JSON wants.
+    ///
+    /// # Errors
+    /// What is wrong with it, and where.
+    pub fn read(text: &str) -> Result<Matrix, Wrong> {
+        whole_json(text)
+    }
+
     /// The plan of the runs on a corpus, of which these rows are learned from and those judged on.
     ///
     /// # Errors

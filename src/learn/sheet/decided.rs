@@ -4,6 +4,7 @@ use super::change::Verdict;
 use super::row::Half;
 use super::rows::Sheet;
 use crate::corpus::Decision;
+use crate::domain::misread;
 use crate::learn::fingerprint::fingerprint;
 use crate::learn::runs::spans;
 use indexmap::IndexMap;
@@ -66,7 +67,7 @@ pub fn write(sheet: &Sheet) -> String {
 /// # Errors
 /// In words: it is no such file, or is of other rows.
 pub fn take(sheet: &mut Sheet, text: &str) -> Result<(), String> {
-    let file: File = serde_json::from_str(text).map_err(|error| error.to_string())?;
+    let file: File = misread::read(text)?;
     if file.format != FORMAT || file.version != VERSION {
         return Err(format!("it is no file of {FORMAT:?}, version {VERSION}"));
     }

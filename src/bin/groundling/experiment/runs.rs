@@ -35,8 +35,8 @@ pub(super) fn plan(arguments: lexopt::Parser) -> Result<String, Failure> {
             "held-out" => held_out.extend(given.files()?),
             "matrix" => {
                 let text = given.value::<String>()?;
-                let read = serde_json::from_str(&text);
-                matrix = read.map_err(|e| Failure::Usage(format!("--matrix {text}: {e}")))?;
+                matrix = Matrix::read(&text)
+                    .map_err(|e| Failure::Usage(format!("--matrix {text}: {e}")))?;
             }
             _ => common.take(&name, &mut given)?,
         }

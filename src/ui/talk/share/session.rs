@@ -2,7 +2,7 @@
 //! link never bypasses a limit, and an unreadable one changes nothing.
 
 use crate::domain::way::{MOST_ACTIONS, MOST_CONTRASTS};
-use crate::domain::{State as World, read_letters};
+use crate::domain::{State as World, misread, read_letters};
 use crate::ui::page::document::{Document, Origin, Said};
 use crate::ui::page::preferences::Depth;
 use crate::ui::page::shared::Shared;
@@ -123,8 +123,7 @@ impl Session {
         if text.len() > MOST_BYTES {
             return Err(SessionError::TooLong);
         }
-        let session: Session = serde_json::from_str(text)
-            .map_err(|error| SessionError::NotASession(error.to_string()))?;
+        let session: Session = misread::read(text).map_err(SessionError::NotASession)?;
         session.check()?;
         Ok(session)
     }

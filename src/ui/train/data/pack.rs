@@ -1,6 +1,7 @@
 //! A corpus as one file, as it is kept: a line of JSON that says what follows, and then the bytes of its files as they
 //! were given. Dropped on the page it is opened like the files themselves.
 
+use crate::domain::misread;
 use crate::worker::protocol::{CorpusFile, MappedFile, Mapping};
 use serde::{Deserialize, Serialize};
 
@@ -75,7 +76,7 @@ pub fn read(bytes: &[u8]) -> Result<Pack, String> {
     let end = bytes.iter().position(|&byte| byte == b'\n').ok_or("its first line is cut off")?;
     let (head, mut rest) = bytes.split_at(end);
     rest = rest.get(1..).unwrap_or_default();
-    let head: Head = serde_json::from_slice(head).map_err(|error| error.to_string())?;
+    let head: Head = misread::read(&String::from_utf8_lossy(head))?;
     if head.format != FORMAT || head.version != VERSION {
         return Err(format!("it is no file of {FORMAT:?}, version {VERSION}"));
     }

@@ -2,6 +2,7 @@
 //! its runs are at work there is the plan alone, by which it is told that what they had found is lost.
 
 use super::state::{About, Found};
+use crate::domain::misread;
 use crate::worker::protocol::Joined;
 use serde::{Deserialize, Serialize};
 
@@ -41,8 +42,7 @@ pub fn write(plan: &str, joined: Option<&Joined>) -> String {
 /// # Errors
 /// In words, what is wrong with it.
 pub fn read(name: &str, text: &str) -> Result<Result<Found, String>, String> {
-    let File { format, version, plan, joined } =
-        serde_json::from_str(text).map_err(|error| error.to_string())?;
+    let File { format, version, plan, joined } = misread::read(text)?;
     if format != FORMAT || version != VERSION {
         return Err(format!("it is no file of {FORMAT:?}, version {VERSION}"));
     }

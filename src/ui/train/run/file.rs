@@ -3,6 +3,7 @@
 use super::clock::Clock;
 use super::curve::Point;
 use super::state::{Pace, Run};
+use crate::domain::misread;
 use crate::worker::protocol::{Progress, Settings};
 use serde::{Deserialize, Serialize};
 use std::rc::Rc;
@@ -65,7 +66,7 @@ pub fn write(run: &Run) -> String {
 /// # Errors
 /// In words, what is wrong with it.
 pub fn read(name: &str, text: &str) -> Result<Run, String> {
-    let file: File = serde_json::from_str(text).map_err(|error| error.to_string())?;
+    let file: File = misread::read(text)?;
     if file.format != FORMAT || file.version != VERSION {
         return Err(format!("it is no file of {FORMAT:?}, version {VERSION}"));
     }

@@ -1,6 +1,7 @@
 //! The state of studies.
 
 use super::action::Place;
+use crate::domain::misread;
 use crate::study::file::{Again, Example, Order, Words};
 use crate::study::{Flag, Showing, Study, StudyError};
 use crate::worker::protocol::{AnswerLine, Reviewed, StudyAsk, SurveyMapping};
@@ -162,7 +163,7 @@ impl Draft {
             example: says(Place::Example).map(|command| Example { shows: Vec::new(), command }),
         };
         study.hosts = self.hosts.split_whitespace().map(str::to_owned).collect();
-        study.ends = serde_json::from_str(&self.ends).map_err(|error| error.to_string())?;
+        study.ends = misread::read(&self.ends)?;
         let pay = crate::study::file::Pay { cents: self.cents, currency: "EUR".to_owned() };
         study.pay = (self.cents > 0).then_some(pay);
         Ok(study)
