@@ -53,7 +53,7 @@ rm -f "$built"
 check "formatting" "cargo fmt --check"
 check "clippy" "cargo clippy --all-targets -- -D warnings"
 check "clippy wasm32" "cargo clippy --target $wasm --all-targets -- -D warnings"
-check "native tests" "cargo test --no-fail-fast --lib --bins --test suite && cargo test --doc"
+check "native tests" "cargo test --no-fail-fast --lib --bins --test suite --test memory && cargo test --doc"
 check "documentation" "
     export RUSTDOCFLAGS='-D warnings'
     cargo doc --no-deps --lib --document-private-items

@@ -37,7 +37,7 @@ pub(super) enum Shown {
 pub(super) struct Draft {
     line: u64,
     /// The row as it stands in the file.
-    raw: Vec<u8>,
+    pub(super) raw: Vec<u8>,
     command: Option<String>,
     flaws: Vec<Flaw>,
     /// Whether nothing was wrong so far.

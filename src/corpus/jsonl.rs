@@ -7,10 +7,12 @@ use super::cells::Cells;
 use super::draft::{Draft, Found, Place, Shown};
 use super::example::{Corpus, Decision, Example, Row};
 use super::flaw::{Flaw, Wrong, cut_quoted, some};
+use super::form::{form_command, said};
 use super::items::{Item, Items};
-use super::limits::MAX_PAIRS;
+use super::json::whole_json;
+use super::limits::{MAX_CELL_BYTES, MAX_COLUMNS, MAX_PAIRS};
 use super::mapping::{Mapping, States};
-use super::mturk::{form_command, said};
+use super::object::{Few, Fields};
 use super::role::{APPROVE, COMMAND, FORM, ID, POST, PRE, REASON, RUN, Role, STATUS, TASK, WORKER};
 use super::run::RunOut;
 use super::source::Source;
@@ -20,9 +22,6 @@ use serde_json::value::{RawValue, Value};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
-
-/// An object, its values as they stand.
-type Fields<'a> = BTreeMap<Cow<'a, str>, &'a RawValue>;
 
 #[derive(Serialize)]
 struct LineOut<'a> {
@@ -51,6 +50,14 @@ const KEYS: [&str; 6] = ["id", "command", "task", "worker", "pairs", "runs"];
 struct PairOut<'a> {
     pre: &'a State,
     post: &'a State,
+}
+
+#[derive(Deserialize)]
+struct PairIn<'a> {
+    #[serde(borrow)]
+    pre: Option<&'a RawValue>,
+    #[serde(borrow)]
+    post: Option<&'a RawValue>,
 }
 
 /// A reader of JSON, object by object.
@@ -83,14 +90,15 @@ impl<R: Read> Reader<R> {
                     Wrong::with_mend(format!("this is no JSON object: {why}"), "mend the row");
                 Found::Row(Row::bad(Flaw::of_row(line, None, wrong), raw))
             }
-            Item::Text(line, bytes) => match String::from_utf8(bytes) {
-                Ok(text) => row(&text, line, &self.options),
-                Err(error) => {
-                    let wrong =
-                        Wrong::with_mend("the line is not UTF-8 text", "save the file in UTF-8");
-                    Found::Row(Row::bad(Flaw::of_row(line, None, wrong), error.into_bytes()))
+            Item::Text(line, raw) => {
+                let mut found = row(&raw, line, &self.options);
+                match &mut found {
+                    Found::Row(row) if !row.rejected => row.raw = raw,
+                    Found::Draft(draft) => draft.raw = raw,
+                    _ => {}
                 }
-            },
+                found
+            }
         })
     }
 }
@@ -143,11 +151,29 @@ pub fn write_rows<'a>(
     Ok(())
 }
 
-/// What an object says.
-fn row(text: &str, line: u64, options: &Options) -> Found {
-    let raw = || text.as_bytes().to_vec();
-    let bad = |wrong: Wrong| Found::Row(Row::bad(Flaw::of_row(line, None, wrong), raw()));
-    let fields: Fields<'_> = match serde_json::from_str(text) {
+/// Bytes as text, each that is no UTF-8 read as Latin-1, and where in the text such a one stands: the first of every
+/// string, since where no quote stands between two of them they are in one.
+pub(super) fn text(raw: &[u8]) -> (Cow<'_, str>, Vec<u32>) {
+    if let Ok(text) = std::str::from_utf8(raw) {
+        return (Cow::Borrowed(text), Vec::new());
+    }
+    let (mut text, mut strange) = (String::with_capacity(raw.len()), Vec::new());
+    for chunk in raw.utf8_chunks() {
+        text.push_str(chunk.valid());
+        if !chunk.invalid().is_empty() && (strange.is_empty() || chunk.valid().contains('"')) {
+            // An object is far smaller than 4 GB.
+            strange.push(text.len() as u32);
+        }
+        text.extend(chunk.invalid().iter().map(|&byte| char::from(byte)));
+    }
+    (Cow::Owned(text), strange)
+}
+
+/// What an object says; it as it stands in the file is still to be added.
+fn row(raw: &[u8], line: u64, options: &Options) -> Found {
+    let (whole, strange) = text(raw);
+    let bad = |wrong: Wrong| Found::Row(Row::bad(Flaw::of_row(line, None, wrong), Vec::new()));
+    let fields: Fields<'_> = match serde_json::from_str(&whole) {
         Ok(fields) => fields,
         Err(error) if error.is_data() => {
             let what = "this is no JSON object";
@@ -156,6 +182,11 @@ fn row(text: &str, line: u64, options: &Options) -> Found {
         }
         Err(error) => return bad(Wrong::from(broken(&error))),
     };
+    if fields.are_too_many() {
+        let what = format!("the row has more than {MAX_COLUMNS} keys");
+        return bad(Wrong::with_mend(what, "see whether this is a corpus, and one object a row"));
+    }
+    let fields = fields.all;
     let mapping = &options.mapping;
     // What a mapping names, and nothing else, where there is one.
     let field = |mapped: &Option<String>, usual: [&str; 2]| {
@@ -173,8 +204,16 @@ fn row(text: &str, line: u64, options: &Options) -> Found {
     if !options.with_rejected && matches!(decided, Decision::Rejected(_)) {
         return Found::Row(Box::new(Row { rejected: true, ..Row::default() }));
     }
-    let mut draft = Draft::new(line, raw());
+    let mut draft = Draft::new(line, Vec::new());
     draft.decision = decided;
+    for (name, value) in fields.iter().filter(|(name, _)| is_read(name, mapping)) {
+        let start = value.get().as_ptr().addr() - whole.as_ptr().addr();
+        let first = strange.partition_point(|&at| (at as usize) < start);
+        if strange.get(first).is_some_and(|&at| (at as usize) < start + value.get().len()) {
+            let wrong = Wrong::with_mend("the value is not UTF-8 text", "save the file in UTF-8");
+            draft.blame(Some(name), wrong);
+        }
+    }
     let mut text = |mapped, usual| {
         let (name, value) = field(mapped, usual)?;
         self::plain(value).map_err(|wrong| draft.blame(Some(name), wrong)).ok()
@@ -205,10 +244,16 @@ fn row(text: &str, line: u64, options: &Options) -> Found {
     Found::Draft(Box::new(draft))
 }
 
+/// Whether anything is read of a key.
+fn is_read(key: &str, mapping: &Mapping) -> bool {
+    (mapping.is_empty() && KEYS.contains(&key))
+        || !matches!(mapping.role(key), Role::Other | Role::Approve)
+}
+
 /// The keys that nothing is read of, each with its value.
-fn others(fields: &Fields<'_>, mapping: &Mapping) -> Cells {
-    let is_read = |key: &str| KEYS.contains(&key) || mapping.role(key) != Role::Other;
-    let others = fields.iter().filter(|(key, _)| !is_read(key));
+fn others(fields: &BTreeMap<String, &RawValue>, mapping: &Mapping) -> Cells {
+    let is_known = |key: &str| KEYS.contains(&key) || mapping.role(key) != Role::Other;
+    let others = fields.iter().filter(|(key, _)| !is_known(key));
     others.flat_map(|(key, value)| [&**key, value.get()]).collect()
 }
 
@@ -216,11 +261,11 @@ fn others(fields: &Fields<'_>, mapping: &Mapping) -> Cells {
 pub(super) fn fields(text: &str) -> Option<Vec<(String, String)>> {
     let fields: Fields<'_> = serde_json::from_str(text).ok()?;
     let shown = |value: &RawValue| plain(value.get()).unwrap_or_else(|_| value.get().to_owned());
-    Some(fields.into_iter().map(|(key, value)| (key.into_owned(), shown(value))).collect())
+    Some(fields.all.into_iter().map(|(key, value)| (key, shown(value))).collect())
 }
 
 /// The demonstrations of an object: its `pairs` and `runs`, or its columns.
-fn states(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) {
+fn states(fields: &BTreeMap<String, &RawValue>, mapping: &Mapping, draft: &mut Draft) {
     let place = |column: String, value: &RawValue| Place { column, text: value.get().to_owned() };
     let is_nothing = |value: &RawValue| plain(value.get()).is_ok_and(|it| something(&it).is_none());
     let own = |key: &str| {
@@ -230,12 +275,17 @@ fn states(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) {
     let mut shown = Vec::new();
     let (pairs, runs) = (own("pairs"), own("runs"));
     if let Some(pairs) = &pairs {
-        let Some(pairs) = list::<Fields<'_>>(draft, ("pairs", "pre and post"), pairs) else {
-            return;
-        };
+        let Some(pairs) = list(draft, ("pairs", "pre and post"), pairs) else { return };
         for (n, pair) in pairs.iter().enumerate() {
-            let side = |side: &str| (format!("pairs[{n}].{side}"), pair.get(side));
-            match (side("pre"), side("post")) {
+            let pair: PairIn<'_> = match whole_json(pair.get()) {
+                Ok(pair) => pair,
+                Err(wrong) => {
+                    draft.blame(Some(&format!("pairs[{n}]")), wrong);
+                    continue;
+                }
+            };
+            let side = |side: &str, value| (format!("pairs[{n}].{side}"), value);
+            match (side("pre", pair.pre), side("post", pair.post)) {
                 ((pre, Some(before)), (post, Some(after))) => {
                     shown.push(Shown::Pair(place(pre, before), place(post, after)));
                 }
@@ -246,9 +296,7 @@ fn states(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) {
         }
     }
     if let Some(runs) = &runs {
-        let Some(runs) = list::<&RawValue>(draft, ("runs", "start and actions"), runs) else {
-            return;
-        };
+        let Some(runs) = list(draft, ("runs", "start and actions"), runs) else { return };
         let runs = runs.iter().enumerate();
         shown.extend(runs.map(|(n, run)| Shown::Run(place(format!("runs[{n}]"), run))));
     }
@@ -265,15 +313,18 @@ fn unquoted(value: &RawValue) -> Cow<'_, str> {
 }
 
 /// A list under a key, of 1 to [`MAX_PAIRS`] objects that have what is named.
-fn list<'a, T: Deserialize<'a>>(
+fn list<'a>(
     draft: &mut Draft,
     (key, of): (&str, &str),
     list: &'a str,
-) -> Option<Vec<T>> {
-    let wrong = match serde_json::from_str::<Vec<T>>(list) {
-        Ok(list) if (1..=MAX_PAIRS).contains(&list.len()) => return Some(list),
-        Ok(_) => Wrong::from(format!("a row needs 1 to {MAX_PAIRS} {key} of {of}")),
-        Err(_) => {
+) -> Option<Vec<&'a RawValue>> {
+    let is_no_pair = |item: &&RawValue| key == "pairs" && !item.get().starts_with('{');
+    let wrong = match serde_json::from_str::<Few<&RawValue, MAX_PAIRS>>(list) {
+        Ok(Few(list)) if !(1..=MAX_PAIRS).contains(&list.len()) => {
+            Wrong::from(format!("a row needs 1 to {MAX_PAIRS} {key} of {of}"))
+        }
+        Ok(Few(list)) if !list.iter().any(is_no_pair) => return Some(list),
+        _ => {
             let mend = match key {
                 "pairs" => "it is a list: [{\"pre\": …, \"post\": …}]",
                 _ => "it is a list: [{\"start\": …, \"actions\": \"…\"}]",
@@ -286,7 +337,11 @@ fn list<'a, T: Deserialize<'a>>(
 }
 
 /// The demonstrations that stand under the names of columns.
-fn columns(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) -> Vec<Shown> {
+fn columns(
+    fields: &BTreeMap<String, &RawValue>,
+    mapping: &Mapping,
+    draft: &mut Draft,
+) -> Vec<Shown> {
     let place = |column: String, value: &RawValue| Place { column, text: value.get().to_owned() };
     let mut shown = Vec::new();
     let number = |n: usize| [format!("{PRE}{n}"), format!("{POST}{n}")];
@@ -320,6 +375,9 @@ fn columns(fields: &Fields<'_>, mapping: &Mapping, draft: &mut Draft) -> Vec<Sho
 
 /// A value as text: what is no list and no object; nothing for null.
 fn plain(value: &str) -> Result<String, Wrong> {
+    if value.len() > MAX_CELL_BYTES {
+        return Err(Wrong::from(format!("the value is larger than {} MB", MAX_CELL_BYTES >> 20)));
+    }
     match value.as_bytes().first() {
         Some(b'"') => serde_json::from_str(value).map_err(|error| Wrong::from(broken(&error))),
         Some(b'{' | b'[') => Err(Wrong::with_mend(

@@ -9,7 +9,7 @@ pub const MAX_CELL_BYTES: usize = 1 << 20;
 pub const MAX_OBJECT_BYTES: usize = 8 * MAX_CELL_BYTES;
 /// The most brackets of JSON that may be open at once.
 pub const MAX_DEPTH: usize = 100;
-/// The most columns of a table: those of a spreadsheet.
+/// The most columns of a table, and keys of an object that is a row: the columns of a spreadsheet.
 pub const MAX_COLUMNS: usize = 16_384;
 /// The most rows that are read from one file.
 pub const MAX_ROWS: usize = 100_000;

@@ -20,6 +20,8 @@ pub mod header;
 mod draft;
 pub mod record;
 mod items;
+mod form;
+mod object;
 mod mturk;
 pub mod table;
 pub mod jsonl;

@@ -6,9 +6,9 @@ use super::cells::Cells;
 use super::draft::{Draft, Found, Place, Shown};
 use super::example::{Decision, Row};
 use super::flaw::{Flaw, Wrong, some};
+use super::form::{form_command, said};
 use super::formula::unguarded;
 use super::header::Header;
-use super::json::json;
 use super::limits::{MAX_CELL_BYTES, MAX_COLUMNS};
 use super::mapping::Mapping;
 use super::record::{Fault, Record, Records, Step};
@@ -245,39 +245,5 @@ fn command<'a>(header: &'a Header, record: &Record) -> (&'a str, Result<String, 
         (Some(command), _) => (name(header.command), said(unguarded(command))),
         (None, Some(form)) => (name(header.form), form_command(form)),
         (None, None) => (name(header.command.or(header.form)), Ok(String::new())),
-    }
-}
-
-/// The command that a text is. Where it is JSON (a form's answers, or a text in quotes), it is what that holds.
-pub(super) fn said(text: &str) -> Result<String, Wrong> {
-    use serde_json::Value;
-    let may_be = text.starts_with(['{', '[', '"']);
-    match may_be.then(|| serde_json::from_str(text)) {
-        Some(Ok(Value::Object(fields))) if fields.is_empty() => Ok(text.to_owned()),
-        Some(Ok(Value::Array(forms))) if forms.is_empty() => Ok(text.to_owned()),
-        Some(Ok(_)) => form_command(text),
-        _ => Ok(text.to_owned()),
-    }
-}
-
-/// The command in the JSON that crowd-html forms answer with: `[{"command": "…"}]`; or a single text.
-pub(super) fn form_command(text: &str) -> Result<String, Wrong> {
-    use serde_json::Value;
-    let answers: Value = json(text)?;
-    let forms = match &answers {
-        Value::Array(forms) => forms.as_slice(),
-        form => std::slice::from_ref(form),
-    };
-    let fields = || forms.iter().filter_map(Value::as_object).flatten();
-    // An answer that is no text is none: null, most of all.
-    let named = fields().find(|(name, _)| *name == "command");
-    let named = named.map(|(_, value)| value.as_str().unwrap_or_default());
-    let mut texts = fields().map(|(_, value)| value).chain(forms).filter_map(Value::as_str);
-    match (named, texts.next(), texts.next()) {
-        (Some(command), ..) | (None, Some(command), None) => Ok(command.trim().to_owned()),
-        _ => {
-            let names = some(fields().map(|(name, _)| name.as_str()));
-            Err(Wrong::from(format!("no answer is called command (found: {names})")))
-        }
     }
 }

@@ -78,7 +78,7 @@ fn objects<R: Read>(mut items: Items<R>) -> Preview {
     for _ in 0..PATIENCE {
         match items.step() {
             Ok(Item::Text(_, bytes)) => {
-                let text = String::from_utf8_lossy(&bytes);
+                let (text, _) = jsonl::text(&bytes);
                 objects.extend(jsonl::fields(&text));
             }
             Ok(Item::Working | Item::Broken(..)) => {}

@@ -4,6 +4,8 @@
 use super::cell::before;
 use super::example::Pair;
 use super::flaw::Wrong;
+use super::json::json;
+use super::object::Few;
 use crate::domain::way::{MOST_ACTIONS, MOST_CONTRASTS};
 use crate::domain::{Action, State, Way, letters, read_letters};
 use serde::{Deserialize, Serialize};
@@ -16,8 +18,7 @@ struct RunIn<'a> {
     #[serde(borrow)]
     start: &'a RawValue,
     actions: String,
-    #[serde(default)]
-    contrast: Vec<String>,
+    contrast: Option<Few<String, MOST_CONTRASTS>>,
 }
 
 /// A run as it is written.
@@ -43,14 +44,12 @@ impl<'a> RunOut<'a> {
 pub fn read(text: &str) -> Result<Pair, Wrong> {
     let inner = text.trim().starts_with('"').then(|| serde_json::from_str(text).ok()).flatten();
     let text: Cow<'_, str> = inner.map_or(Cow::Borrowed(text), Cow::Owned);
-    let run: RunIn<'_> = serde_json::from_str(&text).map_err(|error| {
+    let run: RunIn<'_> = json(&text).map_err(|wrong| {
         let mend = "a run is {\"start\": a state, \"actions\": \"nnes\", \"contrast\": [\"ne\"]}";
-        Wrong::with_mend(
-            format!("this is no run: {}", super::flaw::cut_quoted(&error.to_string())),
-            mend,
-        )
+        Wrong::with_mend(format!("this is no run: {}", wrong.what), mend)
     })?;
-    way(before(run.start.get())?, &run.actions, &run.contrast)
+    let Few(contrast) = run.contrast.unwrap_or(Few(Vec::new()));
+    way(before(run.start.get())?, &run.actions, &contrast)
 }
 
 /// The run of these letters from a start.
