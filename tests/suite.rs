@@ -29,6 +29,8 @@ mod dynamics;
 mod drawing;
 #[path = "suite/corpus.rs"]
 mod corpus;
+#[path = "suite/plain_words.rs"]
+mod plain_words;
 #[path = "suite/outputs.rs"]
 mod outputs;
 #[path = "suite/goals.rs"]

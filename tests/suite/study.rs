@@ -19,7 +19,7 @@ pub(crate) mod files;
 #[path = "study/links.rs"]
 mod links;
 #[path = "study/reviews.rs"]
-mod reviews;
+pub(crate) mod reviews;
 #[path = "study/sittings.rs"]
 mod sittings;
 #[path = "study/surveys.rs"]

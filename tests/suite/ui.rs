@@ -19,7 +19,7 @@ mod robot;
 #[path = "ui/room.rs"]
 mod room;
 #[path = "ui/share.rs"]
-mod share;
+pub(crate) mod share;
 #[path = "ui/talk.rs"]
 mod talk;
 #[path = "ui/teach.rs"]

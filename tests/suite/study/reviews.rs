@@ -14,7 +14,7 @@ use proptest::prelude::{any, proptest};
 use std::collections::BTreeSet;
 
 /// A careful answer of somebody to an item.
-fn answer(study: &Study, worker: &str, turn: usize, command: &str) -> Answer {
+pub(crate) fn answer(study: &Study, worker: &str, turn: usize, command: &str) -> Answer {
     let item = &study.items[turn];
     Answer {
         format: FORMAT.into(),

@@ -11,7 +11,7 @@ use groundling::worker::protocol::{Event, Lesson, MOST_TAUGHT, Request, RunText,
 use proptest::prelude::any;
 use proptest::proptest;
 
-fn session() -> Session {
+pub(crate) fn session() -> Session {
     Session {
         version: VERSION,
         world: world(),
