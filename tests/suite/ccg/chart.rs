@@ -7,6 +7,7 @@ use groundling::ccg::chart::Derivations;
 use groundling::ccg::clauses::Clauses;
 use groundling::ccg::lookup::lexical_items;
 use groundling::ccg::parse::fill;
+use groundling::ccg::sentence::MAX_LETTERS;
 use groundling::ccg::{ChartConfig, Feature, Model, Reason, RuleId, parse, words};
 use groundling::ground::ONTOLOGY;
 use groundling::logic::print;
@@ -224,10 +225,14 @@ fn skipped_words_are_named_and_cost_one_each() {
 fn a_command_without_an_answer_says_why() {
     let mut model = ambiguous();
     let long = "go ".repeat(51);
+    let letters = |n: usize| format!("go {}", "a".repeat(n - 2));
+    let (fits, more) = (letters(MAX_LETTERS), letters(MAX_LETTERS + 1));
     for (command, reason) in [
         ("", Some(Reason::Empty)),
         ("🤖 … !", Some(Reason::Empty)),
         (&*long, Some(Reason::TooLong)),
+        (&*fits, Some(Reason::UnknownWords)),
+        (&*more, Some(Reason::TooLong)),
         ("xyzzy", Some(Reason::UnknownWords)),
         ("the xyzzy", Some(Reason::UnknownWords)),
         ("the room", Some(Reason::NoParse)),
