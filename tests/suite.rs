@@ -27,6 +27,8 @@ mod world;
 mod dynamics;
 #[path = "suite/drawing.rs"]
 mod drawing;
+#[path = "suite/arguments.rs"]
+mod arguments;
 #[path = "suite/corpus.rs"]
 mod corpus;
 #[path = "suite/plain_words.rs"]

@@ -2,6 +2,10 @@
 //! output, everything else to standard error; exit 0 when all went well, 2 on bad arguments or input.
 //! To add a command, write its file and put its `COMMAND` into [`COMMANDS`].
 
+#[path = "groundling/failure.rs"]
+mod failure;
+#[path = "groundling/arguments.rs"]
+mod arguments;
 #[path = "groundling/command.rs"]
 mod command;
 #[path = "groundling/corpora.rs"]
@@ -39,7 +43,9 @@ mod generate;
 #[path = "groundling/review.rs"]
 mod review;
 
-use command::{Command, Done, Failure};
+use arguments::Arguments;
+use command::{Command, Done};
+use failure::Failure;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
@@ -66,7 +72,7 @@ fn main() -> ExitCode {
     let rest = arguments.get(1..).unwrap_or_default();
     let (place, outcome) = match COMMANDS.iter().find(|c| c.name == name) {
         Some(command) if asks_for_help(rest) => (command.name, say(&command.help())),
-        Some(command) => (command.name, (command.run)(lexopt::Parser::from_args(rest))),
+        Some(command) => (command.name, (command.run)(Arguments::new(rest))),
         None => ("", without_command(&name)),
     };
     let message = match outcome {

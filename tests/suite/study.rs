@@ -313,8 +313,8 @@ fn the_command_refuses_in_a_line() {
     for (arguments, expected) in [
         (&["--pairs", "3"][..], "--tasks FILE|all is missing, or --goal FORM"),
         (&["--tasks", "all", "--pairs", "0"], "--pairs 0: use 1 to 100"),
-        (&["--tasks", "all", "--pairs", "x"], "cannot parse"),
-        (&["--tasks", "all", "--seed", "-1"], "cannot parse"),
+        (&["--tasks", "all", "--pairs", "x"], "--pairs needs a whole number, not x"),
+        (&["--tasks", "all", "--seed", "-1"], "--seed must be at least 0, not -1"),
         (&["--tasks", "nowhere.txt"], "cannot read nowhere.txt"),
         (&["--tasks", bad], "line 1: the task `a` has no line `goal`"),
         (&["--tasks", "all", "more"], "unexpected argument"),

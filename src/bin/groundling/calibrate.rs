@@ -1,10 +1,11 @@
 //! `calibrate`: learns from a model's answers how far they can be trusted.
 
-use super::command::{Command, Done, Failure, once};
+use super::arguments::Arguments;
+use super::command::{Command, Done};
 use super::corpora::{examples, speaker};
+use super::failure::Failure;
 use super::output::Output;
 use groundling::learn::calibrate::{calibrate, marks};
-use lexopt::ValueExt;
 use std::path::PathBuf;
 
 pub(crate) const COMMAND: Command = Command {
@@ -18,7 +19,7 @@ pub(crate) const COMMAND: Command = Command {
     run,
 };
 
-fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     use lexopt::Arg::{Long, Value};
     let (mut model, mut out, mut corpora) = (None, None::<PathBuf>, Vec::new());
     let mut precision = 0.9;
@@ -26,14 +27,14 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     while let Some(argument) = arguments.next()? {
         let was_in_corpora = std::mem::replace(&mut in_corpora, true);
         match argument {
-            Long("corpus") => corpora.push((model.clone(), PathBuf::from(arguments.value()?))),
+            Long("corpus") => corpora.push((model.clone(), PathBuf::from(arguments.one_more()?))),
             Value(file) if was_in_corpora => corpora.push((model.clone(), file.into())),
             other => {
                 in_corpora = false;
                 match other {
-                    Long("model") => model = Some(PathBuf::from(arguments.value()?)),
-                    Long("out") => once(&mut out, "--out", &mut arguments)?,
-                    Long("precision") => precision = arguments.value()?.parse()?,
+                    Long("model") => model = Some(PathBuf::from(arguments.one_more()?)),
+                    Long("out") => out = Some(arguments.file()?),
+                    Long("precision") => precision = arguments.number(0.0..=1.0)?,
                     other => return Err(other.unexpected().into()),
                 }
             }

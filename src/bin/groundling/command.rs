@@ -1,6 +1,8 @@
 //! What the commands share: their row in the table, their ends, and a stream of lines in which a bad line
 //! is answered in its place and the rest goes on.
 
+use super::arguments::Arguments;
+use super::failure::{Failure, name};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
@@ -16,7 +18,7 @@ pub(crate) struct Command {
     /// Input, output and options, in lines.
     pub(crate) details: &'static str,
     /// Runs it on what follows its name.
-    pub(crate) run: fn(lexopt::Parser) -> Result<Done, Failure>,
+    pub(crate) run: fn(Arguments) -> Result<Done, Failure>,
 }
 
 impl Command {
@@ -36,46 +38,17 @@ pub(crate) enum Done {
     WithBadLines,
 }
 
-/// Why a command gave up. Its `Display` is one line for a person: where and why.
-#[derive(Debug, thiserror::Error)]
-pub(crate) enum Failure {
-    /// The arguments are wrong.
-    #[error("{0}")]
-    Usage(String),
-    /// A file cannot be read.
-    #[error("cannot read {}: {source}", name(path))]
-    Input {
-        /// Which file; empty for standard input.
-        path: PathBuf,
-        /// Why.
-        source: io::Error,
-    },
-    /// Standard output cannot be written.
-    #[error("cannot write the results: {0}")]
-    Output(io::Error),
-}
-
-impl From<lexopt::Error> for Failure {
-    fn from(error: lexopt::Error) -> Self {
-        Self::Usage(format!("{error} (see --help)"))
-    }
-}
-
 /// Writes a result to standard output, as a line or lines of its own.
 pub(crate) fn print(text: &str) -> Result<Done, Failure> {
     writeln!(io::stdout(), "{text}").map_err(Failure::Output)?;
     Ok(Done::Well)
 }
 
-fn name(path: &Path) -> String {
-    if path.as_os_str().is_empty() { "standard input".into() } else { path.display().to_string() }
-}
-
 /// Longest line that is read, in bytes: far above any state or command.
 const MAX_LINE: u64 = 16 << 20;
 
 /// Reads the arguments of a command that takes files and nothing else (`--json` is what it does anyway).
-pub(crate) fn only_files(mut arguments: lexopt::Parser) -> Result<Vec<PathBuf>, Failure> {
+pub(crate) fn only_files(mut arguments: Arguments) -> Result<Vec<PathBuf>, Failure> {
     let mut files = Vec::new();
     while let Some(argument) = arguments.next()? {
         match argument {
@@ -85,18 +58,6 @@ pub(crate) fn only_files(mut arguments: lexopt::Parser) -> Result<Vec<PathBuf>, 
         }
     }
     Ok(files)
-}
-
-/// Takes the value of an option that stands once.
-pub(crate) fn once<T: From<std::ffi::OsString>>(
-    place: &mut Option<T>,
-    name: &str,
-    arguments: &mut lexopt::Parser,
-) -> Result<(), Failure> {
-    match place.replace(arguments.value()?.into()) {
-        None => Ok(()),
-        Some(_) => Err(Failure::Usage(format!("{name} is given twice: leave one out"))),
-    }
 }
 
 /// What a blank line in a stream is.

@@ -1,7 +1,9 @@
 //! `compare`: what tells two models apart.
 
-use super::command::{Command, Done, Failure, print};
+use super::arguments::Arguments;
+use super::command::{Command, Done, print};
 use super::corpora::model;
+use super::failure::Failure;
 use groundling::ccg::EntryText;
 use groundling::learn::inspect::{Difference, Entries, difference};
 use std::path::PathBuf;
@@ -17,7 +19,7 @@ pub(crate) const COMMAND: Command = Command {
     run,
 };
 
-fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     use lexopt::Arg::{Long, Value};
     let (mut files, mut as_json) = (Vec::<PathBuf>::new(), false);
     while let Some(argument) = arguments.next()? {

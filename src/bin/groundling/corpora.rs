@@ -1,6 +1,6 @@
 //! Reading corpora and other files for the commands that train and evaluate.
 
-use super::command::Failure;
+use super::failure::Failure;
 use groundling::ccg::{General, Model};
 use groundling::corpus::limits::MAX_FILE_BYTES;
 use groundling::corpus::{Example, Flaw, Mapping, Options, read, text_of};

@@ -1,6 +1,8 @@
 //! `equivalent`: JSON lines `{a, b, initial?}` in, `{"equivalent", "run"?}` out.
 
-use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
+use super::arguments::Arguments;
+use super::command::{Blank, Command, Done, answer_lines, only_files};
+use super::failure::Failure;
 use groundling::corpus::json::whole_json;
 use groundling::domain::State;
 use groundling::ground::{Comparison, compare};
@@ -31,7 +33,7 @@ struct Question<'a> {
     initial: Option<&'a RawValue>,
 }
 
-fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(arguments: Arguments) -> Result<Done, Failure> {
     answer_lines(&only_files(arguments)?, Blank::IsAMistake, answer)
 }
 

@@ -1,11 +1,12 @@
 //! `evaluate`: a model's precision, recall and F1 on a corpus.
 
-use super::command::{Command, Done, Failure, once};
+use super::arguments::Arguments;
+use super::command::{Command, Done, print};
 use super::corpora::{Loaded, examples, speaker};
+use super::failure::Failure;
 use super::figures::{report_json, report_text};
 use groundling::ccg::ChartConfig;
 use groundling::learn::Evaluation;
-use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -26,7 +27,7 @@ pub(crate) const COMMAND: Command = Command {
     run,
 };
 
-fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     use lexopt::Arg::{Long, Value};
     let (mut model_file, mut corpus) = (None::<PathBuf>, Vec::<PathBuf>::new());
     let mut in_corpus = false;
@@ -34,9 +35,9 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     while let Some(argument) = arguments.next()? {
         let was_in_corpus = std::mem::take(&mut in_corpus);
         match argument {
-            Long("model") => once(&mut model_file, "--model", &mut arguments)?,
+            Long("model") => model_file = Some(arguments.file()?),
             Long("corpus") => {
-                corpus.push(arguments.value()?.into());
+                corpus.push(arguments.one_more()?.into());
                 in_corpus = true;
             }
             Value(file) if was_in_corpus => {
@@ -67,6 +68,5 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     } else {
         format!("{rows}\n{}", report_text(&report))
     };
-    writeln!(io::stdout(), "{text}").map_err(Failure::Output)?;
-    Ok(Done::Well)
+    print(&text)
 }

@@ -15,7 +15,9 @@ mod table2;
 #[path = "experiment/table3.rs"]
 mod table3;
 
-use super::command::{Command, Done, Failure};
+use super::arguments::Arguments;
+use super::command::{Command, Done, print};
+use super::failure::Failure;
 use lexopt::ValueExt;
 
 pub(crate) const COMMAND: Command = Command {
@@ -25,11 +27,11 @@ pub(crate) const COMMAND: Command = Command {
     details: "  table2         the paper's Table II: F1 by training set and by 3, 2 or 1 demonstrations\n\
               \x20   --set NAME=TRAIN,TEST…  sets (the paper's: raw, pruned)\n\
               \x20 table3         the paper's Table III: learning with a planner of horizon 1, 10, 20, and without\n\
-              \x20   --train FILE --test FILE\n\
+              \x20   --train FILE… --test FILE…\n\
               \x20   --budget STATES         the most that a run's planner may expand (2,000,000,000)\n\
               \x20   --without-memo          time the planners without memo, too\n\
               \x20 demonstration  Section VII: six sentences, then one never heard\n\
-              \x20   --corpus FILE           the sentences (the six)\n\
+              \x20   --corpus FILE…          the sentences (the six)\n\
               \x20   --command TEXT          the one never heard (go to the blue room)\n\
               \x20   --world FILE            the world it is said in (three rooms)\n\
               \x20 cross          cross-validation\n\
@@ -64,7 +66,7 @@ pub(crate) const COMMAND: Command = Command {
 };
 
 /// What does an experiment on what follows its name; its result as text.
-type Experiment = fn(lexopt::Parser) -> Result<String, Failure>;
+type Experiment = fn(Arguments) -> Result<String, Failure>;
 
 /// Every experiment.
 const EXPERIMENTS: [(&str, Experiment); 8] = [
@@ -78,7 +80,7 @@ const EXPERIMENTS: [(&str, Experiment); 8] = [
     ("join", runs::join),
 ];
 
-fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     let names = EXPERIMENTS.map(|(name, _)| name).join(", ");
     let Some(lexopt::Arg::Value(name)) = arguments.next()? else {
         return Err(Failure::Usage(format!("no experiment given: use one of {names}")));
@@ -87,5 +89,5 @@ fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
     let Some((_, run)) = EXPERIMENTS.iter().find(|(known, _)| *known == name) else {
         return Err(Failure::Usage(format!("no experiment `{name}`: use one of {names}")));
     };
-    super::command::print(&run(arguments)?)
+    print(&run(arguments)?)
 }

@@ -1,12 +1,13 @@
 //! `generate`: tasks in, demonstrations out, pairs of states or runs, or a whole study; or worlds from a blueprint.
 
-use super::command::{Command, Done, Failure};
+use super::arguments::Arguments;
+use super::command::{Command, Done};
 use super::corpora::text;
+use super::failure::Failure;
 use super::study::{self, Wanted};
 use groundling::corpus::{Cells, Corpus, Decision, Example, jsonl, limits::MAX_PAIRS, table};
 use groundling::domain::Blueprint;
 use groundling::study::{StudyTask, TASKS, draw, read_tasks};
-use lexopt::ValueExt;
 use std::ffi::{OsStr, OsString};
 use std::io::{self, BufWriter, Write};
 
@@ -27,7 +28,7 @@ pub(crate) const COMMAND: Command = Command {
               the demonstrations of a row leave open, and runs without a contrast, are told on standard error.\n\
               \n\
               \x20 --study NAME      a study as one file instead, for collect.html: an item a task, 5 pairs each\n\
-              \x20 --from CORPUS     an item a row of a corpus instead, with the row's own pairs\n\
+              \x20 --from CORPUS…    an item a row of a corpus instead, with the row's own pairs\n\
               \x20 --rehearsed       keep what was said of each row, rejected rows among them, for ?simulate=SEED\n\
               \x20 --ways            show the robot's way in every item, in place of what is before and after\n\
               \x20 --settings FILE   JSON of what else a study says: language, shown, asked, order, again, words, hosts,\n\
@@ -58,37 +59,38 @@ struct Options {
     blueprint: Blueprint,
 }
 
-fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     let mut options = Options::default();
     // The last option that only worlds have, or only pairs.
     let (mut of_worlds, mut of_pairs) = (None, None);
-    while let Some(argument) = arguments.next()? {
-        let lexopt::Arg::Long(name) = argument else { return Err(argument.unexpected().into()) };
-        let name = name.to_owned();
+    while let Some(name) = arguments.option()? {
         let blueprint = &mut options.blueprint;
         match name.as_str() {
-            "seed" => options.seed = arguments.value()?.parse()?,
+            "seed" => options.seed = arguments.whole()?,
             "tasks" => options.tasks = Some(arguments.value()?),
-            "goal" => options.goal = Some(arguments.value()?.string()?),
+            "goal" => options.goal = Some(arguments.text()?),
             "pairs" | "runs" => {
-                options.pairs = Some(arguments.value()?.parse()?);
+                if options.pairs.replace(arguments.whole()?).is_some() && options.shown != name {
+                    let both = "--pairs and --runs are the same: leave one out";
+                    return Err(Failure::Usage(both.into()));
+                }
                 options.shown = if name == "runs" { "runs" } else { "pairs" };
             }
             "json" => options.json = true,
-            "study" => options.study.name = Some(arguments.value()?.parse()?),
-            "from" => options.study.corpus.push(arguments.value()?.into()),
+            "study" => options.study.name = Some(arguments.text()?),
+            "from" => options.study.corpus.extend(arguments.files()?),
             "rehearsed" => options.study.rehearsed = true,
             "ways" => options.study.ways = true,
-            "settings" => options.study.settings = Some(arguments.value()?.into()),
-            "worlds" => options.worlds = Some(arguments.value()?.parse()?),
-            "style" => blueprint.style = arguments.value()?.parse()?,
-            "rooms" => blueprint.rooms = arguments.value()?.parse()?,
-            "columns" => blueprint.columns = arguments.value()?.parse()?,
-            "rows" => blueprint.rows = arguments.value()?.parse()?,
-            "objects" => blueprint.objects = arguments.value()?.parse()?,
-            "lock" => blueprint.lock = arguments.value()?.parse()?,
+            "settings" => options.study.settings = Some(arguments.file()?),
+            "worlds" => options.worlds = Some(arguments.whole()?),
+            "style" => blueprint.style = arguments.named()?,
+            "rooms" => blueprint.rooms = arguments.whole()?,
+            "columns" => blueprint.columns = arguments.whole()?,
+            "rows" => blueprint.rows = arguments.whole()?,
+            "objects" => blueprint.objects = arguments.whole()?,
+            "lock" => blueprint.lock = arguments.named()?,
             "divided" => blueprint.connected = false,
-            _ => return Err(lexopt::Arg::Long(&name).unexpected().into()),
+            _ => return Err(arguments.unknown()),
         }
         match name.as_str() {
             "seed" | "json" => {}

@@ -1,6 +1,8 @@
 //! `holds`: JSON lines `{goal, initial, current}` or `{goal, run}` in, `{"holds", "at"?}` out.
 
-use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
+use super::arguments::Arguments;
+use super::command::{Blank, Command, Done, answer_lines, only_files};
+use super::failure::Failure;
 use groundling::corpus::cell;
 use groundling::corpus::json::whole_json;
 use groundling::domain::State;
@@ -39,7 +41,7 @@ struct Question<'a> {
     run: Option<Vec<&'a RawValue>>,
 }
 
-fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(arguments: Arguments) -> Result<Done, Failure> {
     answer_lines(&only_files(arguments)?, Blank::IsAMistake, answer)
 }
 

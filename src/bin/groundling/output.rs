@@ -2,7 +2,7 @@
 //! it first and then in its place, with its mode kept and links followed; what is no regular file is written through.
 //! A place is tried before work begins.
 
-use super::command::Failure;
+use super::failure::Failure;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -1,11 +1,12 @@
 //! `parse`: a command a line in, its readings as a JSON line out.
 
-use super::command::{Blank, Command, Done, Failure, answer_lines, once};
+use super::arguments::Arguments;
+use super::command::{Blank, Command, Done, answer_lines};
 use super::corpora::speaker;
+use super::failure::Failure;
 use groundling::ccg::{ChartConfig, Explanation, parse, probability};
 use groundling::ground::forbids_idly;
 use groundling::logic::print;
-use lexopt::ValueExt;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -13,26 +14,29 @@ pub(crate) const COMMAND: Command = Command {
     name: "parse",
     about: "Say what commands mean to a model",
     usage: "--model MODEL [--best 10] [--explain] [FILE…]",
-    details: "In:  a command a line\n\
+    details: "  --model MODEL  a model file\n\
+              \x20 --best N       list so many forms (10)\n\
+              \x20 --explain      say what each form's score is made of\n\
+              In:  a command a line\n\
               Out: {\"command\", \"forms\": [{\"form\", \"score\"}], \"skipped\": [words], \"heard\"?: [{\"word\", \"as\"}],\n\
               \x20    \"probability\"?, \"asks\"?: true, \"reason\"?} a line;\n\
               \x20    all forms tied for best are listed even beyond --best\n\
               \x20    reason, where there is no single answer: empty, too_long, unknown_words, no_parse, tie, budget,\n\
               \x20    left_out (a word that turns round, excludes, joins or orders would have been dropped)\n\
-              \x20 --explain   each form has an \"explanation\" too: {\"score\", \"parts\": [{\"feature\", \"count\", \"weight\", \"adds\"}],\n\
-              \x20             \"entries\": [{\"words\", \"syntax\", \"meaning\", \"learned\"}]}; what the parts add,\n\
-              \x20             summed in their order, is the score",
+              \x20    with --explain each form has an \"explanation\" too: {\"score\", \"parts\": [{\"feature\", \"count\",\n\
+              \x20    \"weight\", \"adds\"}], \"entries\": [{\"words\", \"syntax\", \"meaning\", \"learned\"}]};\n\
+              \x20    what the parts add, summed in their order, is the score",
     run,
 };
 
-fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     use lexopt::Arg;
     let (mut model_file, mut files) = (None::<PathBuf>, Vec::new());
     let (mut best, mut explain) = (10usize, false);
     while let Some(argument) = arguments.next()? {
         match argument {
-            Arg::Long("model") => once(&mut model_file, "--model", &mut arguments)?,
-            Arg::Long("best") => best = arguments.value()?.parse()?,
+            Arg::Long("model") => model_file = Some(arguments.file()?),
+            Arg::Long("best") => best = arguments.whole()?,
             Arg::Long("explain") => explain = true,
             Arg::Long("json") => {}
             Arg::Value(file) => files.push(file.into()),

@@ -1,6 +1,8 @@
 //! `plan`: a goal and a world a line in, a plan or what a policy is worth out.
 
-use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
+use super::arguments::Arguments;
+use super::command::{Blank, Command, Done, answer_lines, only_files};
+use super::failure::Failure;
 use groundling::corpus::json::whole_json;
 use groundling::domain::{Action, Chances, Form, Movable, Rules, State};
 use groundling::ground::{Constraint, Course, ErrandError, Goal, Task, Undertaking};
@@ -113,7 +115,7 @@ impl From<RolloutReport> for Runs {
     }
 }
 
-fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(arguments: Arguments) -> Result<Done, Failure> {
     answer_lines(&only_files(arguments)?, Blank::IsAMistake, |line| {
         let started = Instant::now();
         let mut answer = answer(line)?;

@@ -1,6 +1,8 @@
 //! `reduce`: a term a line in, its normal form out.
 
-use super::command::{Blank, Command, Done, Failure, answer_lines, only_files};
+use super::arguments::Arguments;
+use super::command::{Blank, Command, Done, answer_lines, only_files};
+use super::failure::Failure;
 use groundling::logic::{Terms, print, read};
 
 pub(crate) const COMMAND: Command = Command {
@@ -13,7 +15,7 @@ pub(crate) const COMMAND: Command = Command {
     run,
 };
 
-fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(arguments: Arguments) -> Result<Done, Failure> {
     answer_lines(&only_files(arguments)?, Blank::IsAMistake, |line| {
         let mut terms = Terms::new();
         let term = read(&mut terms, line).map_err(|e| e.to_string())?;

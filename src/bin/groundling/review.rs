@@ -1,7 +1,9 @@
 //! `review`: answers to a study in, merged, flagged and decided; tables of them out.
 
-use super::command::{Command, Done, Failure, once, print};
+use super::arguments::Arguments;
+use super::command::{Command, Done, print};
 use super::corpora::{speaker, text};
+use super::failure::Failure;
 use super::output::Output;
 use groundling::corpus::Decision;
 use groundling::study::coverage::{coverage, top_up};
@@ -10,7 +12,6 @@ use groundling::study::judge::Judging;
 use groundling::study::pay::sheet;
 use groundling::study::survey::{SurveyMapping, convert, trials};
 use groundling::study::{Flag, Merged, Review, Study, merge};
-use lexopt::ValueExt;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
@@ -52,23 +53,23 @@ struct Options {
     json: bool,
 }
 
-fn run(mut arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     use lexopt::Arg::Long;
     let mut options = Options::default();
     while let Some(argument) = arguments.next()? {
         match argument {
-            Long("study") => once(&mut options.study, "--study", &mut arguments)?,
-            Long("answers") => options.answers.extend(arguments.values()?.map(PathBuf::from)),
-            Long("survey") => once(&mut options.survey, "--survey", &mut arguments)?,
-            Long("model") => once(&mut options.model, "--model", &mut arguments)?,
-            Long("reject") => options.reject = Some(wanted(&arguments.value()?.string()?)?),
-            Long("out") => once(&mut options.out, "--out", &mut arguments)?,
+            Long("study") => options.study = Some(arguments.file()?),
+            Long("answers") => options.answers.extend(arguments.files()?),
+            Long("survey") => options.survey = Some(arguments.file()?),
+            Long("model") => options.model = Some(arguments.file()?),
+            Long("reject") => options.reject = Some(wanted(&arguments.text()?)?),
+            Long("out") => options.out = Some(arguments.file()?),
             Long("json-lines") => options.style.is_json = true,
-            Long("pseudonyms") => options.style.pseudonyms = Some(arguments.value()?.parse()?),
+            Long("pseudonyms") => options.style.pseudonyms = Some(arguments.text()?),
             Long("approved-only") => options.style.approved_only = true,
-            Long("pay") => once(&mut options.pay, "--pay", &mut arguments)?,
+            Long("pay") => options.pay = Some(arguments.file()?),
             Long("top-up") => {
-                options.top_up = Some((arguments.value()?.parse()?, arguments.value()?.into()));
+                options.top_up = Some((arguments.count()?, arguments.one_more()?.into()));
             }
             Long("json") => options.json = true,
             other => return Err(other.unexpected().into()),

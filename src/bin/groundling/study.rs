@@ -1,7 +1,8 @@
 //! A study as one file, for `generate`: of tasks, or of a corpus's rows.
 
-use super::command::{Done, Failure};
+use super::command::Done;
 use super::corpora::{examples, text};
+use super::failure::Failure;
 use groundling::study::make::{Making, of_corpus};
 use groundling::study::{Study, StudyTask};
 use std::io::{self, Write};

@@ -1,13 +1,14 @@
 //! `train`: corpora in, a model file out.
 
-use super::command::{Command, Done, Failure, once};
+use super::arguments::Arguments;
+use super::command::{Command, Done};
 use super::corpora::{Loaded, mapped, mapping, model, text};
+use super::failure::Failure;
 use super::figures::scores_json;
 use super::output::Output;
 use groundling::ccg::{ChartConfig, Doubt, EntryText, Kind};
 use groundling::corpus::{Example, Mapping, Options as Admitted};
 use groundling::learn::{CLEANUP_LEXICON, Config, Evaluation, Taught, Trainer, seed_model, teach};
-use lexopt::ValueExt;
 use serde_json::{Value, json};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -58,7 +59,7 @@ struct Options {
     config: Config,
 }
 
-fn run(arguments: lexopt::Parser) -> Result<Done, Failure> {
+fn run(arguments: Arguments) -> Result<Done, Failure> {
     let mut options = read_options(arguments)?;
     let missing = |what: &str| Failure::Usage(format!("{what} is missing"));
     let out = options.out.take().ok_or_else(|| missing("--out MODEL"))?;
@@ -197,7 +198,7 @@ fn held_out_scores(trainer: &Trainer, examples: &[Example]) -> Value {
     scores_json(evaluation.scores())
 }
 
-fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
+fn read_options(mut arguments: Arguments) -> Result<Options, Failure> {
     use lexopt::Arg::{Long, Value};
     let mut options = Options::default();
     // Which list of files goes on.
@@ -212,7 +213,7 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
         if let Some(is_held_out) = held_out {
             let file = match argument {
                 Value(file) => file,
-                _ => arguments.value()?,
+                _ => arguments.one_more()?,
             };
             let files = if is_held_out { &mut options.held_out } else { &mut options.corpus };
             files.push(file.into());
@@ -220,56 +221,39 @@ fn read_options(mut arguments: lexopt::Parser) -> Result<Options, Failure> {
             continue;
         }
         match argument {
-            Long("out") => once(&mut options.out, "--out", &mut arguments)?,
-            Long("lexicon") => once(&mut options.lexicon, "--lexicon", &mut arguments)?,
-            Long("checkpoint") => once(&mut options.checkpoint, "--checkpoint", &mut arguments)?,
-            Long("into") => once(&mut options.into, "--into", &mut arguments)?,
-            Long("resume") => once(&mut options.resume, "--resume", &mut arguments)?,
+            Long("out") => options.out = Some(arguments.file()?),
+            Long("lexicon") => options.lexicon = Some(arguments.file()?),
+            Long("checkpoint") => options.checkpoint = Some(arguments.file()?),
+            Long("into") => options.into = Some(arguments.file()?),
+            Long("resume") => options.resume = Some(arguments.file()?),
             Long("with-rejected") => options.with_rejected = true,
             Long("json") => options.json = true,
-            Long("demonstrations") => {
-                options.config.demonstrations =
-                    Some(at_least_one(&mut arguments, "--demonstrations")?);
-            }
-            Long("epochs") => options.config.epochs = at_least_one(&mut arguments, "--epochs")?,
-            Long("beam") => options.config.beam = at_least_one(&mut arguments, "--beam")?,
-            Long("lexical-beam") => {
-                options.config.lexical_beam = at_least_one(&mut arguments, "--lexical-beam")?;
-            }
-            Long("doubt") => once(&mut options.doubt, "--doubt", &mut arguments)?,
-            Long("mapping") => once(&mut options.mapping, "--mapping", &mut arguments)?,
-            Long("margin") => options.config.margin = margin(arguments.value()?)?,
-            Long("generations") => options.config.generations = arguments.value()?.parse()?,
+            Long("demonstrations") => options.config.demonstrations = Some(arguments.count()?),
+            Long("epochs") => options.config.epochs = arguments.count()?,
+            Long("beam") => options.config.beam = arguments.count()?,
+            Long("lexical-beam") => options.config.lexical_beam = arguments.count()?,
+            Long("doubt") => options.doubt = Some(arguments.file()?),
+            Long("mapping") => options.mapping = Some(arguments.file()?),
+            Long("margin") => options.config.margin = arguments.number(0.0..=1_000.0)?,
+            Long("generations") => options.config.generations = arguments.whole()?,
             Long("without") => {
-                let kinds: Result<Vec<Kind>, Failure> = arguments.values()?.map(kind).collect();
-                options.config.without = kinds?.into_iter().collect();
+                for name in arguments.texts()? {
+                    let kind = kind(&name)?;
+                    options.config.without = options.config.without.iter().chain([kind]).collect();
+                }
             }
             Long("without-idioms") => options.config.idioms = false,
             Long("without-contrasts") => options.config.contrasts = false,
-            Long("seed") => options.config.seed = arguments.value()?.parse()?,
+            Long("seed") => options.config.seed = arguments.whole()?,
             other => return Err(other.unexpected().into()),
         }
     }
     Ok(options)
 }
 
-fn margin(text: std::ffi::OsString) -> Result<f64, Failure> {
-    let value: f64 = text.parse()?;
-    let is_one = (0.0..=1_000.0).contains(&value);
-    is_one.then_some(value).ok_or_else(|| Failure::Usage("--margin must be from 0 to 1000".into()))
-}
-
-fn kind(name: std::ffi::OsString) -> Result<Kind, Failure> {
-    let name = name.string()?;
-    Kind::named(&name).ok_or_else(|| {
+fn kind(name: &str) -> Result<Kind, Failure> {
+    Kind::named(name).ok_or_else(|| {
         let names = Kind::ALL.map(|(name, _)| name).join(", ");
         Failure::Usage(format!("--without `{name}`: use one of {names}"))
     })
-}
-
-pub(crate) fn at_least_one(arguments: &mut lexopt::Parser, name: &str) -> Result<u32, Failure> {
-    match arguments.value()?.parse()? {
-        0 => Err(Failure::Usage(format!("{name} must be at least 1"))),
-        n => Ok(n),
-    }
 }

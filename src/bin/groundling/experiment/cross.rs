@@ -2,30 +2,30 @@
 //! commands mostly stand verbatim in its training set), by row, by task, or by any key of the rows; or draws, each of
 //! which leaves some values of that key out.
 
-use super::options::{Common, Given, missing};
+use super::options::{Common, missing};
 use super::table;
-use crate::command::Failure;
+use crate::arguments::Arguments;
+use crate::failure::Failure;
 use crate::figures::{report_json, report_text};
 use crate::parallel::{Finished, run_all};
 use groundling::learn::experiment::{By, Run, cross_by, left_out};
 use groundling::learn::{CLEANUP_LEXICON, Report, Ties};
 use serde_json::json;
 
-pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
-    let mut given = Given(arguments);
+pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
     let mut common = Common::new();
     let (mut corpus, mut n_folds, mut by) = (Vec::new(), 5u32, "command".to_owned());
     let mut only: Vec<u32> = Vec::new();
     let (mut leave, mut draws, mut keep) = (None::<usize>, 10u32, None::<String>);
-    while let Some(name) = given.next()? {
+    while let Some(name) = given.option()? {
         match name.as_str() {
             "corpus" => corpus.extend(given.files()?),
-            "folds" => n_folds = given.value()?,
-            "by" => by = given.value()?,
-            "leave" => leave = Some(given.value()?),
-            "draws" => draws = given.value()?,
-            "keep" => keep = Some(given.value()?),
-            "fold" => only.extend(given.values::<u32>()?),
+            "folds" => n_folds = given.whole()?,
+            "by" => by = given.text()?,
+            "leave" => leave = Some(given.whole()?),
+            "draws" => draws = given.whole()?,
+            "keep" => keep = Some(given.text()?),
+            "fold" => only.extend(given.wholes::<u32>()?),
             _ => common.take(&name, &mut given)?,
         }
     }

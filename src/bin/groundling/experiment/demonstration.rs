@@ -1,9 +1,10 @@
 //! `experiment demonstration`: learn from six sentences, then do what a seventh asks that none of them names
 //! (Williams et al., Section VII).
 
-use super::options::{Common, Given};
-use crate::command::Failure;
+use super::options::Common;
+use crate::arguments::Arguments;
 use crate::corpora::text;
+use crate::failure::Failure;
 use crate::figures::{report_json, report_text};
 use crate::parallel::run_one;
 use groundling::ccg::{ChartConfig, Model, parse};
@@ -16,7 +17,6 @@ use groundling::logic::{TermId, Terms, print, print_human};
 use groundling::mdp::{Outcome, Settings, Solver};
 use groundling::plan::AStar;
 use serde_json::json;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 const SIX: &str = include_str!("../../../../assets/corpus/six.csv");
@@ -34,16 +34,15 @@ struct Seventh {
     reached: bool,
 }
 
-pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
-    let mut given = Given(arguments);
+pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
     let mut common = Common::new();
     let (mut corpus, mut world) = (Vec::new(), None);
     let mut command = "go to the blue room".to_owned();
-    while let Some(name) = given.next()? {
+    while let Some(name) = given.option()? {
         match name.as_str() {
             "corpus" => corpus.extend(given.files()?),
-            "command" => command = given.value()?,
-            "world" => world = Some(given.value::<PathBuf>()?),
+            "command" => command = given.text()?,
+            "world" => world = Some(given.file()?),
             _ => common.take(&name, &mut given)?,
         }
     }

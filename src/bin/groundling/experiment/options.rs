@@ -1,56 +1,16 @@
 //! What all experiments are given alike.
 
-use crate::command::{Failure, once};
+use crate::arguments::Arguments;
 use crate::corpora::{Loaded, Rows, examples, keyed, text};
+use crate::failure::Failure;
 use crate::parallel::default_jobs;
-use crate::train::at_least_one;
 use groundling::ccg::Model;
 use groundling::corpus::Example;
 use groundling::learn::experiment::By;
 use groundling::learn::{Config, seed_model};
-use lexopt::{Arg, ValueExt};
 use serde_json::Value;
-use std::error::Error;
 use std::path::PathBuf;
-use std::str::FromStr;
 use std::sync::Arc;
-
-/// What follows an experiment's name.
-pub(super) struct Given(pub(super) lexopt::Parser);
-
-impl Given {
-    /// The name of the next option; its values are still to be taken.
-    pub(super) fn next(&mut self) -> Result<Option<String>, Failure> {
-        match self.0.next()? {
-            None => Ok(None),
-            Some(Arg::Long(name)) => Ok(Some(name.to_owned())),
-            Some(other) => Err(other.unexpected().into()),
-        }
-    }
-
-    /// The one value of an option.
-    pub(super) fn value<T>(&mut self) -> Result<T, Failure>
-    where
-        T: FromStr,
-        T::Err: Into<Box<dyn Error + Send + Sync>>,
-    {
-        Ok(self.0.value()?.parse()?)
-    }
-
-    /// The values of an option, at least one.
-    pub(super) fn values<T>(&mut self) -> Result<Vec<T>, Failure>
-    where
-        T: FromStr,
-        T::Err: Into<Box<dyn Error + Send + Sync>>,
-    {
-        Ok(self.0.values()?.map(|value| value.parse()).collect::<Result<_, _>>()?)
-    }
-
-    /// The files that an option names, at least one.
-    pub(super) fn files(&mut self) -> Result<Vec<PathBuf>, Failure> {
-        Ok(self.0.values()?.map(PathBuf::from).collect())
-    }
-}
 
 /// What an option lacks.
 pub(super) fn missing(name: &str) -> Failure {
@@ -83,21 +43,18 @@ impl Common {
     }
 
     /// Takes an option by its name, with its value.
-    pub(super) fn take(&mut self, name: &str, given: &mut Given) -> Result<(), Failure> {
-        let arguments = &mut given.0;
+    pub(super) fn take(&mut self, name: &str, given: &mut Arguments) -> Result<(), Failure> {
         match name {
             "json" => self.json = true,
             "with-rejected" => self.with_rejected = true,
-            "lexicon" => once(&mut self.lexicon, "--lexicon", arguments)?,
+            "lexicon" => self.lexicon = Some(given.file()?),
             "without-idioms" => self.config.idioms = false,
             "without-contrasts" => self.config.contrasts = false,
-            "epochs" => self.config.epochs = at_least_one(arguments, "--epochs")?,
-            "seed" => self.config.seed = arguments.value()?.parse()?,
-            "jobs" => self.jobs = at_least_one(arguments, "--jobs")? as usize,
-            "demonstrations" => {
-                self.config.demonstrations = Some(at_least_one(arguments, "--demonstrations")?);
-            }
-            _ => return Err(Failure::Usage(format!("invalid option '--{name}' (see --help)"))),
+            "epochs" => self.config.epochs = given.count()?,
+            "seed" => self.config.seed = given.whole()?,
+            "jobs" => self.jobs = given.count()?,
+            "demonstrations" => self.config.demonstrations = Some(given.count()?),
+            _ => return Err(given.unknown()),
         }
         Ok(())
     }

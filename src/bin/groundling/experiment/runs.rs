@@ -1,9 +1,10 @@
 //! `experiment plan`, `run`, `shard` and `join`: runs as data. A plan is a file that repeats its runs exactly; a shard is
 //! some of them, for machines that share a plan out; joined they are what one machine finds alone.
 
-use super::options::{Common, Given, missing};
-use crate::command::Failure;
+use super::options::{Common, missing};
+use crate::arguments::Arguments;
 use crate::corpora::text;
+use crate::failure::Failure;
 use groundling::corpus::{Decision, Example};
 use groundling::learn::runs::{
     Matrix, Plan, RunResult, Shard, Told, export, join as joined, results,
@@ -25,16 +26,15 @@ enum Form {
 }
 
 /// A plan for what is given.
-pub(super) fn plan(arguments: lexopt::Parser) -> Result<String, Failure> {
-    let mut given = Given(arguments);
+pub(super) fn plan(mut given: Arguments) -> Result<String, Failure> {
     let mut common = Common::new();
     let (mut corpus, mut held_out, mut matrix) = (Vec::new(), Vec::new(), Matrix::Once);
-    while let Some(name) = given.next()? {
+    while let Some(name) = given.option()? {
         match name.as_str() {
             "corpus" => corpus.extend(given.files()?),
             "held-out" => held_out.extend(given.files()?),
             "matrix" => {
-                let text = given.value::<String>()?;
+                let text = given.text()?;
                 matrix = Matrix::read(&text)
                     .map_err(|e| Failure::Usage(format!("--matrix {text}: {e}")))?;
             }
@@ -71,8 +71,8 @@ pub(super) fn plan(arguments: lexopt::Parser) -> Result<String, Failure> {
 }
 
 /// All runs of a plan.
-pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
-    let (plan, rows, _, common, form) = read(arguments)?;
+pub(super) fn run(given: Arguments) -> Result<String, Failure> {
+    let (plan, rows, _, common, form) = read(given)?;
     let next = AtomicUsize::new(0);
     let work = || {
         let mut done = Vec::new();
@@ -97,23 +97,22 @@ pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
 }
 
 /// Some runs of a plan.
-pub(super) fn shard(arguments: lexopt::Parser) -> Result<String, Failure> {
-    let (plan, rows, runs, ..) = read(arguments)?;
+pub(super) fn shard(given: Arguments) -> Result<String, Failure> {
+    let (plan, rows, runs, ..) = read(given)?;
     let runs = if runs.is_empty() { (0..plan.runs.len() as u32).collect() } else { runs };
     Ok(pump(&plan, &rows, runs)?.trim_end().to_owned())
 }
 
 /// What all shards of a plan found.
-pub(super) fn join(arguments: lexopt::Parser) -> Result<String, Failure> {
-    let mut given = Given(arguments);
+pub(super) fn join(mut given: Arguments) -> Result<String, Failure> {
     let (mut plan, mut shards, mut form) = (None::<PathBuf>, Vec::new(), Form::Markdown);
-    while let Some(name) = given.next()? {
+    while let Some(name) = given.option()? {
         match name.as_str() {
-            "plan" => plan = Some(given.value::<PathBuf>()?),
+            "plan" => plan = Some(given.file()?),
             "shard" => shards.extend(given.files()?),
             "json" => form = Form::Json,
             "csv" => form = Form::Csv,
-            _ => return Err(Failure::Usage(format!("invalid option '--{name}' (see --help)"))),
+            _ => return Err(given.unknown()),
         }
     }
     let plan = plan_in(&plan.ok_or_else(|| missing("--plan FILE"))?)?;
@@ -124,20 +123,19 @@ pub(super) fn join(arguments: lexopt::Parser) -> Result<String, Failure> {
 
 type Given4 = (Plan, Arc<[Example]>, Vec<u32>, Common, Form);
 
-fn read(arguments: lexopt::Parser) -> Result<Given4, Failure> {
-    let mut given = Given(arguments);
+fn read(mut given: Arguments) -> Result<Given4, Failure> {
     let mut common = Common::new();
     let (mut plan, mut corpus, mut runs) = (None::<PathBuf>, Vec::new(), Vec::new());
     let mut form = Form::Markdown;
-    while let Some(name) = given.next()? {
+    while let Some(name) = given.option()? {
         match name.as_str() {
-            "plan" => plan = Some(given.value::<PathBuf>()?),
+            "plan" => plan = Some(given.file()?),
             "corpus" => corpus.extend(given.files()?),
-            "run" => runs.extend(given.values::<u32>()?),
+            "run" => runs.extend(given.wholes::<u32>()?),
             "json" => form = Form::Json,
             "csv" => form = Form::Csv,
             "jobs" => common.take(&name, &mut given)?,
-            _ => return Err(Failure::Usage(format!("invalid option '--{name}' (see --help)"))),
+            _ => return Err(given.unknown()),
         }
     }
     let plan = plan_in(&plan.ok_or_else(|| missing("--plan FILE"))?)?;

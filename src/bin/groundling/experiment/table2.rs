@@ -1,22 +1,22 @@
 //! `experiment table2`: F1 on held-out commands, by training set and by number of demonstrations.
 
-use super::options::{Common, Given, missing};
+use super::options::{Common, missing};
 use super::table;
-use crate::command::Failure;
+use crate::arguments::Arguments;
+use crate::failure::Failure;
 use crate::parallel::run_all;
 use groundling::learn::experiment::{Selection, table_2};
 use groundling::learn::{CLEANUP_LEXICON, paper};
 use serde_json::json;
 use std::path::PathBuf;
 
-pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
-    let mut given = Given(arguments);
+pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
     let mut common = Common::new();
     let mut sets = Vec::new();
-    while let Some(name) = given.next()? {
+    while let Some(name) = given.option()? {
         match name.as_str() {
             "set" => {
-                for text in given.values::<String>()? {
+                for text in given.texts()? {
                     sets.push(set(&text)?);
                 }
             }

@@ -1,27 +1,27 @@
 //! `experiment table3`: what planning during learning costs and what it brings, at the paper's horizons, beside
 //! learning without it.
 
-use super::options::{Common, Given, missing};
+use super::options::{Common, missing};
 use super::table;
-use crate::command::Failure;
+use crate::arguments::Arguments;
+use crate::failure::Failure;
 use crate::parallel::{Finished, run_all};
 use groundling::learn::experiment::{Selection, table_3};
 use groundling::learn::{CLEANUP_LEXICON, Planning, paper};
 use serde_json::json;
 
-pub(super) fn run(arguments: lexopt::Parser) -> Result<String, Failure> {
-    let mut given = Given(arguments);
+pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
     // One run at a time, unless asked: side by side they would share what the clock on the wall measures.
     let mut common = Common::new();
     common.jobs = 1;
     let (mut train, mut test) = (Vec::new(), Vec::new());
     let mut budget = Planning::default().budget;
     let mut memos = vec![true];
-    while let Some(name) = given.next()? {
+    while let Some(name) = given.option()? {
         match name.as_str() {
             "train" => train.extend(given.files()?),
             "test" => test.extend(given.files()?),
-            "budget" => budget = given.value()?,
+            "budget" => budget = given.whole()?,
             "without-memo" => memos = vec![true, false],
             _ => common.take(&name, &mut given)?,
         }
