@@ -10,6 +10,8 @@ mod arguments;
 mod command;
 #[path = "groundling/corpora.rs"]
 mod corpora;
+#[path = "groundling/identity.rs"]
+mod identity;
 #[path = "groundling/output.rs"]
 mod output;
 #[path = "groundling/figures.rs"]

@@ -1,16 +1,15 @@
-//! Where the command line's results go: devices, pipes, links, modes, standard output, several runs at once; and what it
-//! says of the rows of the files it was given.
+//! Where the command line's results go: devices, pipes, links, modes, standard output, several runs at once; and that none
+//! replaces what is read.
 
 use super::command::call;
-use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Output;
+use std::process::{Command, Output, Stdio};
 
-const SIX: &str = "assets/corpus/six.csv";
+pub(crate) const SIX: &str = "assets/corpus/six.csv";
 
 /// An empty folder for a test.
-fn folder(name: &str) -> PathBuf {
+pub(crate) fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     if folder.exists() {
         fs::remove_dir_all(&folder).unwrap();
@@ -20,12 +19,12 @@ fn folder(name: &str) -> PathBuf {
 }
 
 /// Trains for a pass, with more arguments.
-fn train(arguments: &[&str], input: &str) -> Output {
+pub(crate) fn train(arguments: &[&str], input: &str) -> Output {
     let lexicon = ["train", "--lexicon", "assets/lexicon/demonstration.txt", "--epochs", "1"];
     call(&[&lexicon[..], arguments].concat(), input)
 }
 
-fn text(bytes: &[u8]) -> &str {
+pub(crate) fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
 }
 
@@ -72,7 +71,7 @@ fn what_the_name_stands_for_is_written() {
     let mode = fs::metadata(at("target.model")).unwrap().permissions().mode();
     assert_eq!(mode & 0o777, 0o600, "the mode is kept");
 
-    let made = std::process::Command::new("mkfifo").arg(at("pipe")).status().unwrap();
+    let made = Command::new("mkfifo").arg(at("pipe")).status().unwrap();
     assert!(made.success());
     let pipe = at("pipe");
     let reader = std::thread::spawn(move || fs::read_to_string(pipe).unwrap());
@@ -81,8 +80,7 @@ fn what_the_name_stands_for_is_written() {
     assert!(fs::symlink_metadata(at("pipe")).unwrap().file_type().is_fifo());
 
     // Only root can make a device; the machine's own serves as well when nothing is beside it to be replaced.
-    let made =
-        std::process::Command::new("mknod").args([&at("null"), "c", "1", "3"]).output().unwrap();
+    let made = Command::new("mknod").args([&at("null"), "c", "1", "3"]).output().unwrap();
     let null = if made.status.success() { at("null") } else { "/dev/null".to_owned() };
     assert!(train(&["--corpus", SIX, "--out", &null], "").status.success());
     assert!(fs::symlink_metadata(&null).unwrap().file_type().is_char_device());
@@ -104,6 +102,7 @@ fn runs_at_once_do_not_disturb_each_other() {
         }
     });
     assert_eq!(names(&folder), ["a.checkpoint", "a.model"]);
+    assert!(is_model(&fs::read_to_string(out).unwrap()));
     let again = train(
         &["--corpus", SIX, "--resume", checkpoint, "--checkpoint", checkpoint, "--out", out],
         "",
@@ -122,14 +121,14 @@ fn places_are_tried_before_the_work_and_no_corpus_is_replaced() {
         assert_eq!(output.status.code(), Some(2), "{said}");
         assert!(said.contains(why) && !said.contains("epoch"), "{said}");
     };
-    refused(&["--corpus", SIX, "--out", &at("missing/x.model")], "cannot write");
+    refused(&["--corpus", SIX, "--out", &at("missing/x.model")], "make its folder first");
     refused(
         &["--corpus", SIX, "--out", &at("x"), "--checkpoint", &at("missing/x")],
         "cannot write",
     );
     let one = ["--corpus", SIX, "--out", &at("x"), "--checkpoint", &at("./x")];
     refused(&one, "name one file");
-    refused(&["--corpus", SIX, "--out", folder.to_str().unwrap()], "cannot write");
+    refused(&["--corpus", SIX, "--out", folder.to_str().unwrap()], "it is a folder");
     refused(&["--corpus", &at("six.csv"), "--out", &at("./six.csv")], "is read as well");
     refused(
         &[
@@ -149,68 +148,176 @@ fn places_are_tried_before_the_work_and_no_corpus_is_replaced() {
     assert_eq!(fs::read(at("six.csv")).unwrap(), fs::read(SIX).unwrap());
 }
 
+/// A call whose input or output is a file.
+fn redirected(arguments: &[&str], input: Option<&str>, output: Option<fs::File>) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_groundling"));
+    command.args(arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    if let Some(input) = input {
+        command.stdin(fs::File::open(input).unwrap());
+    }
+    if let Some(output) = output {
+        command.stdout(output);
+    }
+    command.spawn().unwrap().wait_with_output().unwrap()
+}
+
+/// That a call is refused, and why.
+#[track_caller]
+fn refuses(output: &Output, why: &str) {
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(said.contains(why) && !said.contains("epoch 1"), "{said}");
+}
+
+#[cfg(unix)]
 #[test]
-fn every_report_says_what_became_of_the_rows() {
-    let folder = folder("rows");
+fn a_file_is_known_whatever_it_is_called_and_however_it_is_written() {
+    let folder = folder("known");
+    // Beside a name as long as this no other can be made, as in a folder that lets none be made.
     let at = |name: &str| folder.join(name).to_str().unwrap().to_owned();
-    let six = fs::read_to_string(SIX).unwrap();
-    let rejected = |n: usize| -> String {
-        let row = |(at, line): (usize, &str)| match line.rsplit_once(',') {
-            Some((row, _)) if (1..=n).contains(&at) => format!("{row},\"too vague\"\n"),
-            _ => format!("{line}\n"),
-        };
-        six.lines().enumerate().map(row).collect()
+    let mut places = vec![at("six.csv"), at(&"n".repeat(250))];
+    let memory = format!("/dev/shm/groundling-{}", std::process::id());
+    if fs::write(&memory, "").is_ok() {
+        places.push(memory.clone());
+    }
+    fs::create_dir(at("sub")).unwrap();
+    std::os::unix::fs::symlink("six.csv", at("link")).unwrap();
+    for place in &places {
+        fs::copy(SIX, place).unwrap();
+        let read = "is read as well";
+        refuses(&train(&["--corpus", place, "--out", place], ""), read);
+        refuses(&train(&["--corpus", SIX, "--held-out", place, "--out", place], ""), read);
+        let into = ["train", "--corpus", "-", "--out", place];
+        refuses(&redirected(&into, Some(place), None), read);
+        let from = ["train", "--corpus", place, "--out", "-"];
+        let open = fs::OpenOptions::new().append(true).open(place).unwrap();
+        refuses(&redirected(&from, None, Some(open)), read);
+        let twice = ["--corpus", SIX, "--out", place, "--checkpoint", place];
+        refuses(&train(&twice, ""), "--out and --checkpoint name one file");
+        assert_eq!(fs::read(place).unwrap(), fs::read(SIX).unwrap());
+    }
+    let link = ["--corpus", &at("six.csv"), "--out", &at("link")];
+    refuses(&train(&link, ""), "is read as well");
+    let around = at("sub/../new");
+    let new = ["--corpus", SIX, "--out", &at("new"), "--checkpoint", &around];
+    refuses(&train(&new, ""), "name one file");
+    for place in &places {
+        assert!(train(&["--corpus", SIX, "--out", place], "").status.success());
+        assert!(is_model(&fs::read_to_string(place).unwrap()), "{place}");
+    }
+    let _ = fs::remove_file(memory);
+}
+
+#[cfg(unix)]
+#[test]
+fn standard_output_has_many_names() {
+    let folder = folder("streams");
+    let named = |out: &str, checkpoint: &str| {
+        train(&["--corpus", SIX, "--out", out, "--checkpoint", checkpoint], "")
     };
-    fs::write(at("two.csv"), rejected(2)).unwrap();
-    fs::write(at("all.csv"), rejected(6)).unwrap();
-    fs::write(
-        at("no-name"),
-        format!("\u{feff}{}", six.replacen("\"\"agent\"\"", "\"\"agnt\"\"", 1)),
-    )
-    .unwrap();
-    let figures = |report: &Value| {
-        ["rows", "rejected", "left_out"].map(|name| report[name].as_u64().unwrap())
+    for (out, checkpoint) in [("-", "-"), ("-", "/dev/stdout"), ("/dev/stdout", "/dev/fd/1")] {
+        refuses(&named(out, checkpoint), "--out and --checkpoint name standard output");
+    }
+    assert!(named("/dev/null", "/dev/null").status.success(), "what is lost may be lost twice");
+    let train = ["train", "--corpus", SIX, "--epochs", "1", "--json", "--out", "/dev/stdout"];
+    let output = redirected(&train, None, None);
+    assert!(is_model(text(&output.stdout)) && text(&output.stderr).contains("\"examples\":6"));
+    // Where it is a file the model stands in it, behind what was there, and no report over it.
+    let place = folder.join("all");
+    fs::write(&place, "before\n").unwrap();
+    let open = fs::OpenOptions::new().append(true).open(&place).unwrap();
+    assert!(redirected(&train, None, Some(open)).status.success());
+    let all = fs::read_to_string(&place).unwrap();
+    assert!(is_model(all.strip_prefix("before\n").unwrap()), "{all}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_checkpoint_goes_where_a_model_can() {
+    let folder = folder("checkpoints");
+    let at = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    std::os::unix::fs::symlink("kept", at("link")).unwrap();
+    assert!(Command::new("mkfifo").arg(at("pipe")).status().unwrap().success());
+    let pipe = at("pipe");
+    let reader = std::thread::spawn(move || fs::read_to_string(pipe).unwrap());
+    for place in [at("link"), at("pipe"), "/dev/null".to_owned()] {
+        let output = train(&["--corpus", SIX, "--out", &at("model"), "--checkpoint", &place], "");
+        assert!(output.status.success(), "{place}: {}", text(&output.stderr));
+    }
+    assert_eq!(names(&folder), ["kept", "link", "model", "pipe"]);
+    let kept = fs::read_to_string(at("kept")).unwrap();
+    assert!(is_model(&kept) && fs::symlink_metadata(at("link")).unwrap().is_symlink());
+    assert_eq!(reader.join().unwrap(), kept);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_write_that_fails_leaves_nothing_and_a_new_file_has_the_ordinary_mode() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = folder("failed");
+    let at = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let shell = |before: &str, out: &str| {
+        let train = "train --epochs 1 --corpus assets/corpus/six.csv";
+        let binary = env!("CARGO_BIN_EXE_groundling");
+        let script = format!("{before}; exec \"$1\" {train} --out \"$2\"");
+        Command::new("sh").args(["-c", &script, "sh", binary, out]).output().unwrap()
     };
+    fs::write(at("old"), "old").unwrap();
+    for name in ["old", "new"] {
+        // No file may grow beyond a block or two.
+        let output = shell("trap '' XFSZ; ulimit -f 1", &at(name));
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains("cannot write"), "{}", text(&output.stderr));
+    }
+    assert_eq!((names(&folder), fs::read(at("old")).unwrap()), (vec!["old".into()], b"old".into()));
+    fs::set_permissions(at("old"), fs::Permissions::from_mode(0o604)).unwrap();
+    for (name, mode) in [("old", 0o604), ("new", 0o640)] {
+        assert!(shell("umask 027", &at(name)).status.success());
+        assert_eq!(fs::metadata(at(name)).unwrap().permissions().mode() & 0o777, mode, "{name}");
+    }
+    assert_eq!(names(&folder), ["new", "old"]);
+}
 
-    let output =
-        train(&["--corpus", &at("two.csv"), &at("no-name"), "--json", "--out", &at("a.model")], "");
-    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!((figures(&report), report["examples"].as_u64()), ([12, 2, 1], Some(9)));
-    let said = text(&output.stderr);
-    assert!(
-        said.contains(
-            "6 rows: 4 used, 2 rejected, 0 left out (--with-rejected uses rejected rows)"
-        ),
-        "{said}"
-    );
+#[test]
+fn what_is_gone_on_from_may_be_replaced() {
+    let folder = folder("into");
+    let model = folder.join("a.model").to_str().unwrap().to_owned();
+    assert!(train(&["--corpus", SIX, "--out", &model], "").status.success());
+    let lesson = fs::read_to_string(SIX).unwrap().replace("the green room", "the emerald room");
+    let corpus = folder.join("lesson.csv").to_str().unwrap().to_owned();
+    fs::write(&corpus, lesson).unwrap();
+    let output = call(&["train", "--into", &model, "--corpus", &corpus, "--out", &model], "");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let taught = fs::read_to_string(&model).unwrap();
+    assert!(is_model(&taught) && taught.contains("emerald"));
+}
 
-    let evaluate = [
-        "evaluate",
-        "--model",
-        &at("a.model"),
-        "--json",
-        "--corpus",
-        &at("two.csv"),
-        "--corpus",
-        "-",
-    ];
-    let output = call(&evaluate, &six);
-    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!((figures(&report), report["total"].as_u64()), ([12, 2, 0], Some(10)));
-
-    let output = train(&["--corpus", &at("all.csv"), "--out", &at("b.model")], "");
-    let said = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(said.contains("all its 6 rows are rejected (--with-rejected uses them)"), "{said}");
-    let output =
-        train(&["--corpus", &at("all.csv"), "--with-rejected", "--out", &at("b.model")], "");
-    assert!(output.status.success());
-    let large = fs::File::create(at("large.csv")).unwrap();
-    large.set_len((64 << 20) + 1).unwrap();
-    let output = train(&["--corpus", &at("large.csv"), "--out", &at("b.model")], "");
-    let said = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(said.contains("the file has 65 MB, more than 64; split it"), "{said}");
+#[test]
+fn every_command_tries_its_places_before_it_works() {
+    let folder = folder("commands");
+    let at = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    let study = call(&["generate", "--study", "Six", "--from", SIX], "").stdout;
+    fs::write(at("study"), &study).unwrap();
+    assert!(train(&["--corpus", SIX, "--out", &at("model")], "").status.success());
+    let model = fs::read(at("model")).unwrap();
+    let (study_file, model_file, pay) = (at("study"), at("model"), at("missing/pay"));
+    let review = |more: &[&str]| {
+        let begin = ["review", "--study", &study_file, "--answers", SIX];
+        call(&[&begin[..], more].concat(), "")
+    };
+    refuses(&review(&["--out", &at("new"), "--pay", &pay]), "make its folder first");
+    refuses(&review(&["--out", &at("new"), "--pay", &at("new")]), "--out and --pay name one file");
+    let more = review(&["--pay", &at("new"), "--top-up", "2", &at("./new")]);
+    refuses(&more, "--pay and --top-up name one file");
+    refuses(&review(&["--out", &study_file]), "is read as well");
+    refuses(&review(&["--model", &model_file, "--pay", &model_file]), "is read as well");
+    let calibrate = ["calibrate", "--model", &model_file, "--corpus", SIX, "--out"];
+    refuses(&call(&[&calibrate[..], &[&model_file]].concat(), ""), "is read as well");
+    assert_eq!(names(&folder), ["model", "study"]);
+    assert_eq!((fs::read(at("study")).unwrap(), fs::read(at("model")).unwrap()), (study, model));
+    let output = review(&["--out", "-"]);
+    assert!(text(&output.stdout).starts_with('"') || text(&output.stdout).starts_with("HITId"));
+    assert!(text(&output.stderr).contains(" answers ("), "{}", text(&output.stderr));
 }
 
 #[test]

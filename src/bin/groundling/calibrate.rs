@@ -4,7 +4,7 @@ use super::arguments::Arguments;
 use super::command::{Command, Done};
 use super::corpora::{examples, speaker};
 use super::failure::Failure;
-use super::output::Output;
+use super::output::outputs;
 use groundling::learn::calibrate::{calibrate, marks};
 use std::path::PathBuf;
 
@@ -41,11 +41,12 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
         }
     }
     let missing = |name: &str| Failure::Usage(format!("{name} is missing"));
-    let out = out.ok_or_else(|| missing("--out MAP"))?;
     if corpora.is_empty() {
         return Err(missing("--corpus FILE"));
     }
-    let out = Output::at(&out, corpora.iter().map(|(_, corpus)| corpus))?;
+    let inputs = corpora.iter().flat_map(|(model, corpus)| model.iter().chain([corpus]));
+    let [out] = outputs([("--out", out.as_deref())], inputs)?;
+    let out = out.ok_or_else(|| missing("--out MAP"))?;
     let mut all = Vec::with_capacity(corpora.len());
     for (model, corpus) in corpora {
         let mut model = speaker(&model.ok_or_else(|| missing("--model MODEL"))?)?;

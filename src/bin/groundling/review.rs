@@ -1,10 +1,10 @@
 //! `review`: answers to a study in, merged, flagged and decided; tables of them out.
 
 use super::arguments::Arguments;
-use super::command::{Command, Done, print};
+use super::command::{Command, Done};
 use super::corpora::{speaker, text};
 use super::failure::Failure;
-use super::output::Output;
+use super::output::{self, Output, outputs};
 use groundling::corpus::Decision;
 use groundling::study::coverage::{coverage, top_up};
 use groundling::study::export::{Style, write};
@@ -78,6 +78,7 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     if options.answers.is_empty() {
         return Err(Failure::Usage("--answers FILE is missing".to_owned()));
     }
+    let outputs = places(&options)?;
     let study = match &options.study {
         Some(path) => Study::read(&text(path)?)
             .map_err(|e| Failure::Usage(format!("{}: {e}", path.display())))?,
@@ -95,7 +96,7 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     if let Some(flags) = &options.reject {
         review.decide_by(flags, |flag| flag.name().to_owned());
     }
-    save(&options, &study, &review)?;
+    save(&options, &outputs, &study, &review)?;
     for (name, flaw) in flaws.iter().take(20) {
         // Nobody may be listening there.
         let _ = writeln!(io::stderr(), "{name}: {flaw}");
@@ -107,7 +108,9 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     if let Some(flags) = &options.reject {
         report["told_apart"] = told_apart(&before, flags);
     }
-    print(&if options.json { report.to_string() } else { told(&report) })
+    let outputs = outputs.iter().flatten();
+    output::report(outputs, &if options.json { report.to_string() } else { told(&report) })?;
+    Ok(Done::Well)
 }
 
 fn wanted(names: &str) -> Result<BTreeSet<Flag>, Failure> {
@@ -158,20 +161,37 @@ fn merged(options: &Options) -> Result<Option<Merged>, Failure> {
     }))
 }
 
+/// The places of answers, pay and top-up.
+fn places(options: &Options) -> Result<[Option<Output>; 3], Failure> {
+    let others = [&options.study, &options.survey, &options.model];
+    let inputs = options.answers.iter().chain(others.into_iter().flatten());
+    let top_up = options.top_up.as_ref().map(|(_, path)| path.as_path());
+    let named = [
+        ("--out", options.out.as_deref()),
+        ("--pay", options.pay.as_deref()),
+        ("--top-up", top_up),
+    ];
+    outputs(named, inputs)
+}
+
 /// Writes the files that are wanted.
-fn save(options: &Options, study: &Study, review: &Review) -> Result<(), Failure> {
-    let put = |path: &PathBuf, text: &str| Output::at(path, &options.answers)?.write(text);
-    if let Some(path) = &options.out {
+fn save(
+    options: &Options,
+    [out, pay, more]: &[Option<Output>; 3],
+    study: &Study,
+    review: &Review,
+) -> Result<(), Failure> {
+    if let Some(out) = out {
         let mut bytes = Vec::new();
         write(review, &options.style, &mut bytes).map_err(Failure::Output)?;
-        put(path, &String::from_utf8_lossy(&bytes))?;
+        out.write(&String::from_utf8_lossy(&bytes))?;
     }
-    if let Some(path) = &options.pay {
-        put(path, &sheet(study, review))?;
+    if let Some(pay) = pay {
+        pay.write(&sheet(study, review))?;
     }
-    if let Some((wanted, path)) = &options.top_up {
+    if let (Some((wanted, _)), Some(more)) = (&options.top_up, more) {
         match top_up(study, review, *wanted) {
-            Some(study) => put(path, &study.write())?,
+            Some(study) => more.write(&study.write())?,
             None => {
                 // Nobody may be listening there.
                 let _ =

@@ -5,7 +5,7 @@ use super::command::{Command, Done};
 use super::corpora::{Loaded, mapped, mapping, model, text};
 use super::failure::Failure;
 use super::figures::scores_json;
-use super::output::Output;
+use super::output::{Output, outputs, report as say};
 use groundling::ccg::{ChartConfig, Doubt, EntryText, Kind};
 use groundling::corpus::{Example, Mapping, Options as Admitted};
 use groundling::learn::{CLEANUP_LEXICON, Config, Evaluation, Taught, Trainer, seed_model, teach};
@@ -60,24 +60,18 @@ struct Options {
 }
 
 fn run(arguments: Arguments) -> Result<Done, Failure> {
-    let mut options = read_options(arguments)?;
+    let options = read_options(arguments)?;
     let missing = |what: &str| Failure::Usage(format!("{what} is missing"));
-    let out = options.out.take().ok_or_else(|| missing("--out MODEL"))?;
     if options.corpus.is_empty() {
         return Err(missing("--corpus FILE"));
     }
-    let inputs = || {
-        let others = [&options.lexicon, &options.doubt, &options.mapping];
-        options.corpus.iter().chain(&options.held_out).chain(others.into_iter().flatten())
-    };
-    let out = Output::at(&out, inputs())?;
-    let checkpoint = options.checkpoint.as_deref();
-    let checkpoint = checkpoint.map(|path| Output::at(path, inputs())).transpose()?;
-    if checkpoint.as_ref().is_some_and(|checkpoint| checkpoint.is(&out)) {
-        return Err(Failure::Usage(
-            "--out and --checkpoint name one file: give the model another name".to_owned(),
-        ));
-    }
+    let others = [&options.lexicon, &options.doubt, &options.mapping];
+    let inputs = options.corpus.iter().chain(&options.held_out).chain(others.into_iter().flatten());
+    let named =
+        [("--out", options.out.as_deref()), ("--checkpoint", options.checkpoint.as_deref())];
+    // What is gone on from may be replaced: by what it has become.
+    let [out, checkpoint] = outputs(named, inputs)?;
+    let out = out.ok_or_else(|| missing("--out MODEL"))?;
     let mapping = options.mapping.as_deref().map(mapping).transpose()?;
     let admitted = Admitted {
         with_rejected: options.with_rejected,
@@ -146,7 +140,7 @@ fn run(arguments: Arguments) -> Result<Done, Failure> {
             "seconds": started.elapsed().as_secs_f64(), "model": out.name(),
         });
         rows.put(&mut report);
-        out.report(&report.to_string())?;
+        say([&out].into_iter().chain(&checkpoint), &report.to_string())?;
     }
     Ok(Done::Well)
 }
@@ -184,7 +178,7 @@ fn into(path: &Path, loaded: &Loaded, options: &Options, out: &Output) -> Result
             "seconds": seconds, "model": out.name(),
         });
         rows.put(&mut report);
-        out.report(&report.to_string())?;
+        say([out], &report.to_string())?;
     }
     Ok(Done::Well)
 }
