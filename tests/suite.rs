@@ -35,6 +35,8 @@ mod corpus;
 mod plain_words;
 #[path = "suite/outputs.rs"]
 mod outputs;
+#[path = "suite/rows.rs"]
+mod rows;
 #[path = "suite/goals.rs"]
 mod goals;
 #[path = "suite/holds.rs"]

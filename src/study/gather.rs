@@ -21,6 +21,8 @@ pub struct Gathering {
     pub answers: Vec<Decided>,
     /// What is wrong with it.
     pub flaws: Vec<Flaw>,
+    /// How many of its rows or objects are no answer for that.
+    pub left_out: usize,
 }
 
 enum Work {
@@ -69,7 +71,7 @@ impl Gathering {
                 Err(flaw) => (vec![], vec![flaw]),
             },
         };
-        Gathering { work, bytes, answers: Vec::new(), flaws }
+        Gathering { work, bytes, answers: Vec::new(), flaws, left_out: 0 }
     }
 
     /// Bytes that are read, and bytes in all.
@@ -102,7 +104,7 @@ impl Gathering {
                         self.work.push(Work::Objects { text, at: 0, line: Line::All(line) });
                     }
                     Some(Err(error)) => {
-                        self.flaws.push(Flaw::of_file(format!("the table is damaged: {error}")));
+                        self.refuse(0, format!("the table is damaged: {error}"));
                     }
                     None => {}
                 }
@@ -113,6 +115,7 @@ impl Gathering {
                 } else {
                     let (corpus, flaws) = reading.end();
                     self.flaws.extend(flaws);
+                    self.left_out += corpus.left_out;
                     self.answers.extend(corpus.examples.into_iter().map(of_example));
                 }
             }
@@ -148,7 +151,7 @@ impl Gathering {
                 };
                 let what = format!("this is no JSON: {}", in_words(&error, true));
                 let wrong = Wrong::with_mend(what, "mend the line, or give the file again");
-                self.flaws.push(Flaw { line, ..Flaw::of_file(wrong) });
+                self.refuse(line, wrong);
                 // What follows on the next line may be whole.
                 if let Some(skip) = rest.get(blank..).and_then(|rest| rest.find('\n')) {
                     let end = blank + skip + 1;
@@ -176,8 +179,7 @@ impl Gathering {
                     self.answers.push((answer, decided));
                 }
                 Err(error) => {
-                    let what = format!("the answer is damaged: {error}");
-                    self.flaws.push(Flaw { line, ..Flaw::of_file(what) });
+                    self.refuse(line, format!("the answer is damaged: {error}"));
                 }
             }
             return;
@@ -192,9 +194,15 @@ impl Gathering {
                 let what = "this is no answer to a study";
                 let mend =
                     "give the files that the study's page made, or map the file of another program";
-                self.flaws.push(Flaw { line, ..Flaw::of_file(Wrong::with_mend(what, mend)) });
+                self.refuse(line, Wrong::with_mend(what, mend));
             }
         }
+    }
+
+    /// Leaves out what begins in a line.
+    fn refuse(&mut self, line: u64, why: impl Into<Wrong>) {
+        self.flaws.push(Flaw { line, ..Flaw::of_file(why) });
+        self.left_out += 1;
     }
 }
 

@@ -15,6 +15,8 @@ pub struct Merged {
     pub doubles: usize,
     /// What is wrong with files, each with its file's name.
     pub flaws: Vec<(String, Flaw)>,
+    /// How many rows or objects of files are no answer for that.
+    pub left_out: usize,
 }
 
 /// Merges files, each a name and a text.
@@ -23,7 +25,8 @@ pub fn merge<'a>(files: impl IntoIterator<Item = (&'a str, &'a str)>) -> Merged 
     for (name, text) in files {
         let mut gathering = Gathering::new(text);
         while gathering.step() {}
-        let Gathering { answers, flaws, .. } = gathering;
+        let Gathering { answers, flaws, left_out, .. } = gathering;
+        merged.left_out += left_out;
         merged.flaws.extend(flaws.into_iter().map(|flaw| (name.to_owned(), flaw)));
         merged.answers.extend(answers);
     }

@@ -22,7 +22,7 @@ pub(super) fn run<R>(sheet: &Sheet, plan: &str, runs: Vec<u32>) -> Result<Job<R>
     let mut shard =
         Some(Shard::new(plan, sheet.examples().clone(), runs).map_err(|error| sentence(&error))?);
     Ok(Box::new(move |_| match shard.take_if(|shard| shard.is_over()) {
-        Some(done) => Step::Over(Event::Shard { text: done.end() }),
+        Some(done) => Step::Over(Event::Shard { text: done.end(None) }),
         None => {
             let Some(shard) = &mut shard else { return Step::Over(Event::Cancelled) };
             match shard.step() {
@@ -69,7 +69,7 @@ pub(super) fn joined(plan: &str, shards: &[String]) -> Result<Event, String> {
         all: plan.pooled.then(|| judgement(&export::all(&found))),
         csv: export::csv(&plan, &found),
         markdown: export::markdown(&plan, &found),
-        results: results::write(&plan, found),
+        results: results::write(&plan, found, results::counts(shards)),
     })))
 }
 

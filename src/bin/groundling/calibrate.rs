@@ -2,10 +2,11 @@
 
 use super::arguments::Arguments;
 use super::command::{Command, Done};
-use super::corpora::{examples, speaker};
+use super::corpora::{Admit, Rows, examples, speaker};
 use super::failure::Failure;
 use super::output::outputs;
 use groundling::learn::calibrate::{calibrate, marks};
+use std::io::{self, Write};
 use std::path::PathBuf;
 
 pub(crate) const COMMAND: Command = Command {
@@ -47,12 +48,16 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     let inputs = corpora.iter().flat_map(|(model, corpus)| model.iter().chain([corpus]));
     let [out] = outputs([("--out", out.as_deref())], inputs)?;
     let out = out.ok_or_else(|| missing("--out MAP"))?;
-    let mut all = Vec::with_capacity(corpora.len());
+    let (mut all, mut rows) = (Vec::with_capacity(corpora.len()), Rows::default());
     for (model, corpus) in corpora {
         let mut model = speaker(&model.ok_or_else(|| missing("--model MODEL"))?)?;
-        all.push(marks(&mut model, &examples(&[corpus], false)?.examples));
+        let loaded = examples(&[corpus], Admit::Never)?;
+        rows.add(loaded.rows);
+        all.push(marks(&mut model, &loaded.examples));
     }
     let lines = calibrate(&all, precision).lines();
     out.write(&(lines.join("\n") + "\n"))?;
+    // Standard error may be gone; the map is written.
+    let _ = writeln!(io::stderr(), "{rows}");
     Ok(Done::Well)
 }

@@ -3,7 +3,8 @@
 use super::failure::Failure;
 use groundling::ccg::{General, Model};
 use groundling::corpus::limits::MAX_FILE_BYTES;
-use groundling::corpus::{Example, Flaw, Mapping, Options, read, text_of};
+use groundling::corpus::{Corpus, Example, Flaw, Mapping, Options, read, text_of};
+use groundling::learn::runs::RowCounts;
 use serde_json::Value;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
@@ -28,14 +29,34 @@ pub(crate) struct Rows {
     read: usize,
     rejected: usize,
     left_out: usize,
+    /// What makes rejected rows count.
+    admit: Option<&'static str>,
 }
 
 impl Rows {
+    /// What became of a corpus' rows.
+    pub(crate) fn of(corpus: &Corpus) -> Self {
+        let (read, rejected, left_out) = (corpus.rows(), corpus.rejected, corpus.left_out);
+        Rows { read, rejected, left_out, admit: None }
+    }
+
     /// With those of more files.
     pub(crate) fn add(&mut self, other: Rows) {
         self.read += other.read;
         self.rejected += other.rejected;
         self.left_out += other.left_out;
+        self.admit = self.admit.or(other.admit);
+    }
+
+    /// With so many more rejected among those that were read, and what makes them count.
+    pub(crate) fn rejecting(self, rejected: usize, admit: &'static str) -> Self {
+        Rows { rejected: self.rejected + rejected, admit: Some(admit), ..self }
+    }
+
+    /// As figures for a file of results.
+    pub(crate) fn counts(self) -> RowCounts {
+        let Rows { read, rejected, left_out, .. } = self;
+        RowCounts { rows: read, rejected, left_out }
     }
 
     /// Says it in a report.
@@ -46,24 +67,65 @@ impl Rows {
     }
 }
 
+impl From<RowCounts> for Rows {
+    fn from(counts: RowCounts) -> Self {
+        let RowCounts { rows, rejected, left_out } = counts;
+        Rows { read: rows, rejected, left_out, admit: None }
+    }
+}
+
 impl std::fmt::Display for Rows {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Rows { read, rejected, left_out } = *self;
+        let Rows { read, rejected, left_out, admit } = *self;
         let used = read - rejected - left_out;
         write!(f, "{read} rows: {used} used, {rejected} rejected, {left_out} left out")?;
-        if rejected > 0 { f.write_str(" (--with-rejected uses rejected rows)") } else { Ok(()) }
+        match admit {
+            Some(admit) if rejected > 0 => write!(f, " ({admit} uses rejected rows)"),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Whether rejected rows are used.
+#[derive(Clone, Copy)]
+pub(crate) enum Admit {
+    /// The command has no use for them.
+    Never,
+    /// By an option, if it is given.
+    By(&'static str, bool),
+    /// All are handed out; which of them count is for others to say.
+    All,
+}
+
+impl Admit {
+    /// By the option that most commands have.
+    pub(crate) fn with_rejected(is_given: bool) -> Self {
+        Admit::By("--with-rejected", is_given)
+    }
+
+    fn option(self) -> Option<&'static str> {
+        if let Admit::By(option, _) = self { Some(option) } else { None }
+    }
+
+    fn options(self, mapping: Mapping) -> Options {
+        Options { with_rejected: matches!(self, Admit::All | Admit::By(_, true)), mapping }
     }
 }
 
 /// The examples of all files in their order; what became of the rows, and what is wrong or odd with one, goes to
 /// standard error.
-pub(crate) fn examples(files: &[PathBuf], with_rejected: bool) -> Result<Loaded, Failure> {
-    mapped(files, &Options { with_rejected, ..Options::default() })
+pub(crate) fn examples(files: &[PathBuf], admit: Admit) -> Result<Loaded, Failure> {
+    mapped(files, Mapping::default(), admit)
+}
+
+/// The same, where columns are what a mapping says.
+pub(crate) fn mapped(files: &[PathBuf], mapping: Mapping, admit: Admit) -> Result<Loaded, Failure> {
+    all(files, mapping, admit, None)
 }
 
 /// The same, with what every row says under a key.
-pub(crate) fn keyed(files: &[PathBuf], with_rejected: bool, key: &str) -> Result<Loaded, Failure> {
-    all(files, &Options { with_rejected, ..Options::default() }, Some(key))
+pub(crate) fn keyed(files: &[PathBuf], admit: Admit, key: &str) -> Result<Loaded, Failure> {
+    all(files, Mapping::default(), admit, Some(key))
 }
 
 /// The mapping of columns in a file.
@@ -72,39 +134,27 @@ pub(crate) fn mapping(path: &Path) -> Result<Mapping, Failure> {
         .map_err(|e| Failure::Usage(format!("{}: no mapping: {e}", path.display())))
 }
 
-/// The same, with what is to be taken of the files.
-pub(crate) fn mapped(files: &[PathBuf], options: &Options) -> Result<Loaded, Failure> {
-    all(files, options, None)
-}
-
-fn all(files: &[PathBuf], options: &Options, key: Option<&str>) -> Result<Loaded, Failure> {
+fn all(
+    files: &[PathBuf],
+    mapping: Mapping,
+    admit: Admit,
+    key: Option<&str>,
+) -> Result<Loaded, Failure> {
     let mut all = Loaded::default();
+    let options = admit.options(mapping);
     for path in files {
-        let failed = |source| Failure::Input { path: path.clone(), source };
-        let source: Box<dyn Read> = if path.as_os_str() == "-" {
-            Box::new(io::stdin().lock())
-        } else {
-            let file = File::open(path).map_err(failed)?;
-            // What is known to be too large need not be read to be refused.
-            let bytes = file.metadata().map_or(0, |found| found.len());
-            if bytes > MAX_FILE_BYTES {
-                let (path, most) = (path.display(), MAX_FILE_BYTES >> 20);
-                return Err(Failure::Usage(format!(
-                    "{path}: the file has {} MB, more than {most}; split it, and give all parts",
-                    bytes.div_ceil(1 << 20)
-                )));
-            }
-            Box::new(file)
-        };
-        let (corpus, flaws) = read(source, options.clone());
-        let rows =
-            Rows { read: corpus.rows(), rejected: corpus.rejected, left_out: corpus.left_out };
+        let (corpus, flaws) = read(source(path)?, options.clone());
+        let rows = Rows { admit: admit.option(), ..Rows::of(&corpus) };
         if let Some(why) = corpus.why_empty(&flaws) {
+            let keep = rows.admit.filter(|_| rows.rejected > 0);
+            let keep = keep.map_or(String::new(), |option| format!(" ({option} uses them)"));
             let path = path.display();
-            let keep = if rows.rejected > 0 { " (--with-rejected uses them)" } else { "" };
             return Err(Failure::Usage(format!("{path}: no row can be used: {why}{keep}")));
         }
-        tell(path, &flaws, rows);
+        tell(path, &flaws);
+        if rows.rejected + rows.left_out > 0 && !matches!(admit, Admit::All) {
+            let _ = writeln!(io::stderr(), "{}: {rows}", path.display());
+        }
         all.rows.add(rows);
         if let Some(key) = key {
             let value = |example| corpus.value(example, key).map(str::to_owned);
@@ -115,8 +165,27 @@ fn all(files: &[PathBuf], options: &Options, key: Option<&str>) -> Result<Loaded
     Ok(all)
 }
 
-/// Says on standard error what became of rows; the work goes on when nobody listens there.
-fn tell(path: &Path, flaws: &[Flaw], rows: Rows) {
+/// What a corpus is read from: standard input, or a file that is not too large.
+fn source(path: &Path) -> Result<Box<dyn Read>, Failure> {
+    if path.as_os_str() == "-" {
+        return Ok(Box::new(io::stdin().lock()));
+    }
+    let failed = |source| Failure::Input { path: path.to_owned(), source };
+    let file = File::open(path).map_err(failed)?;
+    // What is known to be too large need not be read to be refused.
+    let bytes = file.metadata().map_or(0, |found| found.len());
+    if bytes > MAX_FILE_BYTES {
+        let (path, most) = (path.display(), MAX_FILE_BYTES >> 20);
+        return Err(Failure::Usage(format!(
+            "{path}: the file has {} MB, more than {most}; split it, and give all parts",
+            bytes.div_ceil(1 << 20)
+        )));
+    }
+    Ok(Box::new(file))
+}
+
+/// Says on standard error what is wrong or odd; the work goes on when nobody listens there.
+fn tell(path: &Path, flaws: &[Flaw]) {
     let mut error = io::stderr();
     let path = path.display();
     for flaw in flaws.iter().take(MAX_TOLD) {
@@ -125,9 +194,6 @@ fn tell(path: &Path, flaws: &[Flaw], rows: Rows) {
     }
     if flaws.len() > MAX_TOLD {
         let _ = writeln!(error, "{path}: and {} more", flaws.len() - MAX_TOLD);
-    }
-    if rows.rejected + rows.left_out > 0 {
-        let _ = writeln!(error, "{path}: {rows}");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::arguments::Arguments;
 use super::command::{Command, Done, print};
-use super::corpora::{Loaded, examples, speaker};
+use super::corpora::{Admit, Loaded, examples, speaker};
 use super::failure::Failure;
 use super::figures::{report_json, report_text};
 use groundling::ccg::ChartConfig;
@@ -54,7 +54,7 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     if corpus.is_empty() {
         return Err(missing("--corpus FILE"));
     }
-    let Loaded { examples, rows, .. } = examples(&corpus, with_rejected)?;
+    let Loaded { examples, rows, .. } = examples(&corpus, Admit::with_rejected(with_rejected))?;
     let started = Instant::now();
     let config = ChartConfig::of(&model);
     let mut evaluation = Evaluation::new(&mut model, &examples, config);

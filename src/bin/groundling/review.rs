@@ -85,7 +85,8 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
         None => Study::new("answers", Vec::new()),
     };
     let Some(merged) = merged(&options)? else { return Ok(Done::Well) };
-    let Merged { answers, doubles, flaws } = merged;
+    let Merged { answers, doubles, flaws, left_out } = merged;
+    let rows = answers.len() + doubles + left_out;
     let (mut review, others) = Review::new(&study, answers);
     if let Some(path) = &options.model {
         let mut judging = Judging::new(speaker(path)?);
@@ -102,6 +103,8 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
         let _ = writeln!(io::stderr(), "{name}: {flaw}");
     }
     let mut report = report(&study, &review);
+    report["rows"] = rows.into();
+    report["left_out"] = left_out.into();
     report["doubles"] = doubles.into();
     report["other_studies"] = others.len().into();
     report["flaws"] = flaws.len().into();
@@ -152,11 +155,14 @@ fn merged(options: &Options) -> Result<Option<Merged>, Failure> {
         found.unfinished
     );
     let name = path.display().to_string();
+    let n_rows = trials.rows.len() - found.others;
+    let left_out = n_rows - found.answers.len();
     let flaws = found.flaws.into_iter().map(|flaw| (name.clone(), flaw));
     let open = found.answers.into_iter().map(|answer| (answer, Decision::Open));
     Ok(Some(Merged {
         answers: open.collect(),
         doubles: 0,
+        left_out,
         flaws: trials.flaws.into_iter().chain(flaws).collect(),
     }))
 }
@@ -248,7 +254,9 @@ fn told_apart(review: &Review, flags: &BTreeSet<Flag>) -> Value {
 
 fn told(report: &Value) -> String {
     let mut lines = vec![format!(
-        "{} answers ({} open, {} approved, {} rejected), {} came again, {} to other studies",
+        "{} rows, {} left out: {} answers ({} open, {} approved, {} rejected), {} came again, {} to other studies",
+        report["rows"],
+        report["left_out"],
         report["answers"],
         report["open"],
         report["approved"],

@@ -1,7 +1,7 @@
 //! A study as one file, for `generate`: of tasks, or of a corpus's rows.
 
 use super::command::Done;
-use super::corpora::{examples, text};
+use super::corpora::{Admit, examples, text};
 use super::failure::Failure;
 use groundling::study::make::{Making, of_corpus};
 use groundling::study::{Study, StudyTask};
@@ -57,7 +57,8 @@ pub(crate) fn write(
             return Err(usage("--ways is for tasks; what --from brings is shown as it is"));
         }
         None => {
-            let rows = examples(&wanted.corpus, wanted.rehearsed)?.examples;
+            let rows =
+                examples(&wanted.corpus, Admit::By("--rehearsed", wanted.rehearsed))?.examples;
             // Nothing is drawn but the worked example.
             made(Making::new(of_corpus(study, &rows, wanted.rehearsed), Vec::new(), PAIRS))?
         }

@@ -2,12 +2,12 @@
 
 use super::arguments::Arguments;
 use super::command::{Command, Done};
-use super::corpora::{Loaded, mapped, mapping, model, text};
+use super::corpora::{Admit, Loaded, mapped, mapping, model, text};
 use super::failure::Failure;
 use super::figures::scores_json;
 use super::output::{Output, outputs, report as say};
 use groundling::ccg::{ChartConfig, Doubt, EntryText, Kind};
-use groundling::corpus::{Example, Mapping, Options as Admitted};
+use groundling::corpus::Example;
 use groundling::learn::{CLEANUP_LEXICON, Config, Evaluation, Taught, Trainer, seed_model, teach};
 use serde_json::{Value, json};
 use std::io::{self, Write};
@@ -72,19 +72,21 @@ fn run(arguments: Arguments) -> Result<Done, Failure> {
     // What is gone on from may be replaced: by what it has become.
     let [out, checkpoint] = outputs(named, inputs)?;
     let out = out.ok_or_else(|| missing("--out MODEL"))?;
-    let mapping = options.mapping.as_deref().map(mapping).transpose()?;
-    let admitted = Admitted {
-        with_rejected: options.with_rejected,
-        mapping: mapping.unwrap_or_else(Mapping::default),
-    };
-    let loaded = mapped(&options.corpus, &admitted)?;
+    let mapping = options.mapping.as_deref().map(mapping).transpose()?.unwrap_or_default();
+    let admit = Admit::with_rejected(options.with_rejected);
+    let loaded = mapped(&options.corpus, mapping.clone(), admit)?;
     // Standard error may be gone; the work goes on.
     let _ = writeln!(io::stderr(), "{}", loaded.rows);
     if let Some(path) = &options.into {
         return into(path, &loaded, &options, &out);
     }
     let Loaded { examples: training, rows, .. } = loaded;
-    let held_out = mapped(&options.held_out, &admitted)?.examples;
+    let Loaded { examples: held_out, rows: held_out_rows, .. } =
+        mapped(&options.held_out, mapping, admit)?;
+    if !held_out.is_empty() {
+        // Standard error may be gone; the work goes on.
+        let _ = writeln!(io::stderr(), "held out: {held_out_rows}");
+    }
     let doubt = options.doubt.as_deref().map(doubt_of).transpose()?;
     let started = Instant::now();
     let mut trainer = match &options.resume {
@@ -140,6 +142,10 @@ fn run(arguments: Arguments) -> Result<Done, Failure> {
             "seconds": started.elapsed().as_secs_f64(), "model": out.name(),
         });
         rows.put(&mut report);
+        if !held_out.is_empty() {
+            report["held_out"] = json!({});
+            held_out_rows.put(&mut report["held_out"]);
+        }
         say([&out].into_iter().chain(&checkpoint), &report.to_string())?;
     }
     Ok(Done::Well)

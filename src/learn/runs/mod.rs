@@ -10,6 +10,6 @@ pub mod results;
 pub mod export;
 
 pub use matrix::Matrix;
-pub use results::{RunResult, join};
+pub use results::{RowCounts, RunResult, join};
 pub use shard::{Shard, Told};
 pub use spec::{Plan, RunSpec};

@@ -20,7 +20,25 @@ struct File {
     version: u32,
     /// The plan, by the fingerprint of its text.
     plan: String,
+    // What became of the rows of the corpus' files; who was handed rows alone does not know it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rows: Option<usize>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    rejected: Option<usize>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    left_out: Option<usize>,
     results: Vec<RunResult>,
+}
+
+/// What became of the rows of a corpus' files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub struct RowCounts {
+    /// All that were read.
+    pub rows: usize,
+    /// Those that no run uses because they were rejected.
+    pub rejected: usize,
+    /// Those that something is wrong with.
+    pub left_out: usize,
 }
 
 /// What one run found.
@@ -56,10 +74,17 @@ impl RunResult {
     }
 }
 
-/// Results as a file.
-pub fn write(plan: &Plan, results: Vec<RunResult>) -> String {
-    let file =
-        File { format: FORMAT.to_owned(), version: VERSION, plan: fingerprint(plan), results };
+/// Results as a file, with what became of rows where that is known.
+pub fn write(plan: &Plan, results: Vec<RunResult>, counts: Option<RowCounts>) -> String {
+    let file = File {
+        format: FORMAT.to_owned(),
+        version: VERSION,
+        plan: fingerprint(plan),
+        rows: counts.map(|counts| counts.rows),
+        rejected: counts.map(|counts| counts.rejected),
+        left_out: counts.map(|counts| counts.left_out),
+        results,
+    };
     // Results always have a JSON form: they have no maps, and their floats are finite.
     serde_json::to_string(&file).unwrap_or_default() + "\n"
 }
@@ -77,6 +102,11 @@ fn read(plan: &Plan, text: &str) -> Result<Vec<RunResult>, String> {
         return Err("the results are of another plan".to_owned());
     }
     Ok(file.results)
+}
+
+/// What became of rows, as the first of some shards' files that knows it says.
+pub fn counts(shards: &[String]) -> Option<RowCounts> {
+    shards.iter().find_map(|text| serde_json::from_str(text).ok())
 }
 
 /// The results of all runs of a plan, in its order, from the files of its shards in any order.

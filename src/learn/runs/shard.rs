@@ -1,6 +1,6 @@
 //! Some runs of a plan, one after the other in bounded steps: a function of plan, corpus and numbers alone.
 
-use super::results::{RunResult, write};
+use super::results::{RowCounts, RunResult, write};
 use super::spans;
 use super::spec::Plan;
 use crate::corpus::Example;
@@ -97,9 +97,9 @@ impl Shard {
         Ok(Running::new(run, spec.settings.seed_model()?))
     }
 
-    /// The results as a file, once it is over.
-    pub fn end(self) -> String {
-        write(&self.plan, self.results)
+    /// The results as a file, once it is over, with what became of the corpus' rows where that is known.
+    pub fn end(self, counts: Option<RowCounts>) -> String {
+        write(&self.plan, self.results, counts)
     }
 }
 

@@ -68,7 +68,7 @@ pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
             "runs": table::json(&finished), "all": report_json(&all),
         }))
     } else {
-        format!("{}\n\nall folds: {}", table::text(&finished), report_text(&all))
+        common.told(&format!("{}\n\nall folds: {}", table::text(&finished), report_text(&all)))
     })
 }
 
@@ -88,6 +88,6 @@ fn drawn(runs: &[Run], common: &Common, (by, n): (&str, usize)) -> Result<String
             "experiment": "cross", "by": by, "leave": n, "runs": table::json(&finished), "mean_f1": mean,
         }))
     } else {
-        format!("{}\n\nmean F1 of all draws: {mean:.3}", table::text(&finished))
+        common.told(&format!("{}\n\nmean F1 of all draws: {mean:.3}", table::text(&finished)))
     })
 }

@@ -3,7 +3,7 @@
 
 use super::options::Common;
 use crate::arguments::Arguments;
-use crate::corpora::text;
+use crate::corpora::{Rows, text};
 use crate::failure::Failure;
 use crate::figures::{report_json, report_text};
 use crate::parallel::run_one;
@@ -48,6 +48,7 @@ pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
     }
     let rows: Arc<[Example]> = if corpus.is_empty() {
         let (six, _) = read(SIX.as_bytes(), Options::default());
+        common.rows = Rows::of(&six);
         six.examples.into()
     } else {
         common.rows(&corpus)?
@@ -95,7 +96,7 @@ pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
         }
         lines.extend(seventh.reason.map(|reason| format!("  not done    {reason}")));
         lines.push(format!("paper: {PAPER}"));
-        lines.join("\n")
+        common.told(&lines.join("\n"))
     })
 }
 

@@ -1,7 +1,7 @@
 //! What all experiments are given alike.
 
 use crate::arguments::Arguments;
-use crate::corpora::{Loaded, Rows, examples, keyed, text};
+use crate::corpora::{Admit, Loaded, Rows, examples, keyed, text};
 use crate::failure::Failure;
 use crate::parallel::default_jobs;
 use groundling::ccg::Model;
@@ -26,7 +26,7 @@ pub(super) struct Common {
     pub(super) with_rejected: bool,
     lexicon: Option<PathBuf>,
     /// What became of the rows of all files so far.
-    rows: Rows,
+    pub(super) rows: Rows,
 }
 
 impl Common {
@@ -73,14 +73,17 @@ impl Common {
         self.lexicon.as_deref().map(text).transpose()
     }
 
-    /// The rows of files, rejected ones among them.
+    /// The rows of files, rejected ones among them; which of these count is still to be said.
     pub(super) fn all_rows(&mut self, files: &[PathBuf]) -> Result<Vec<Example>, Failure> {
-        Ok(examples(files, true)?.examples)
+        let Loaded { examples, rows, .. } = examples(files, Admit::All)?;
+        self.rows.add(rows);
+        Ok(examples)
     }
 
     /// The rows of files.
     pub(super) fn rows(&mut self, files: &[PathBuf]) -> Result<Arc<[Example]>, Failure> {
-        let Loaded { examples, rows, .. } = examples(files, self.with_rejected)?;
+        let Loaded { examples, rows, .. } =
+            examples(files, Admit::with_rejected(self.with_rejected))?;
         self.rows.add(rows);
         Ok(Arc::from(examples))
     }
@@ -91,7 +94,8 @@ impl Common {
         files: &[PathBuf],
         key: &str,
     ) -> Result<(Arc<[Example]>, Vec<String>), Failure> {
-        let Loaded { examples, rows, values } = keyed(files, self.with_rejected, key)?;
+        let Loaded { examples, rows, values } =
+            keyed(files, Admit::with_rejected(self.with_rejected), key)?;
         self.rows.add(rows);
         if values.iter().all(Option::is_none) {
             let names = By::ALL.map(|(name, _)| name).join(", ");
@@ -104,13 +108,18 @@ impl Common {
 
     /// What the rows of files say under a key; nothing where they do not.
     pub(super) fn values(&self, files: &[PathBuf], key: &str) -> Result<Vec<String>, Failure> {
-        let Loaded { values, .. } = keyed(files, self.with_rejected, key)?;
+        let Loaded { values, .. } = keyed(files, Admit::with_rejected(self.with_rejected), key)?;
         Ok(values.into_iter().map(Option::unwrap_or_default).collect())
     }
 
-    /// A report as text, with what became of the rows.
+    /// A report as JSON, with what became of the rows.
     pub(super) fn report(&self, mut report: Value) -> String {
         self.rows.put(&mut report);
         report.to_string()
+    }
+
+    /// A report for a person, with the same.
+    pub(super) fn told(&self, report: &str) -> String {
+        format!("{}\n{report}", self.rows)
     }
 }

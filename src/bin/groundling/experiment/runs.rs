@@ -3,14 +3,15 @@
 
 use super::options::{Common, missing};
 use crate::arguments::Arguments;
-use crate::corpora::text;
+use crate::corpora::{Rows, text};
 use crate::failure::Failure;
 use groundling::corpus::{Decision, Example};
 use groundling::learn::runs::{
-    Matrix, Plan, RunResult, Shard, Told, export, join as joined, results,
+    Matrix, Plan, RowCounts, RunResult, Shard, Told, export, join as joined, results, spans,
 };
 use groundling::learn::settings::Lexicon;
 use groundling::learn::{SeedLexicon, Settings};
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -54,6 +55,7 @@ pub(super) fn plan(mut given: Arguments) -> Result<String, Failure> {
     };
     let train: Vec<u32> = (0..n).filter(is_used).collect();
     let test: Vec<u32> = (n..rows.len() as u32).filter(is_used).collect();
+    common.rows = common.rows.rejecting(rows.len() - train.len() - test.len(), "--with-rejected");
     let config = &common.config;
     let settings = Settings {
         lexicon: match common.lexicon_text()? {
@@ -67,12 +69,14 @@ pub(super) fn plan(mut given: Arguments) -> Result<String, Failure> {
         ..Settings::default()
     };
     let plan = matrix.plan(&settings, &rows, (&train, &test)).map_err(Failure::Usage)?;
+    tell(common.rows);
     Ok(plan.write().trim_end().to_owned())
 }
 
 /// All runs of a plan.
 pub(super) fn run(given: Arguments) -> Result<String, Failure> {
     let (plan, rows, _, common, form) = read(given)?;
+    let counts = common.rows.counts();
     let next = AtomicUsize::new(0);
     let work = || {
         let mut done = Vec::new();
@@ -81,7 +85,7 @@ pub(super) fn run(given: Arguments) -> Result<String, Failure> {
             if at >= plan.runs.len() {
                 return Ok(done);
             }
-            done.push(pump(&plan, &rows, vec![at as u32])?);
+            done.push(pump(&plan, &rows, vec![at as u32], counts)?);
         }
     };
     let shards: Result<Vec<Vec<String>>, Failure> = thread::scope(|scope| {
@@ -93,14 +97,14 @@ pub(super) fn run(given: Arguments) -> Result<String, Failure> {
         threads.into_iter().map(join).collect()
     });
     let found = joined(&plan, &shards?.concat()).map_err(Failure::Usage)?;
-    Ok(told(&plan, found, form))
+    Ok(told(&plan, found, Some(counts), form))
 }
 
 /// Some runs of a plan.
 pub(super) fn shard(given: Arguments) -> Result<String, Failure> {
-    let (plan, rows, runs, ..) = read(given)?;
+    let (plan, rows, runs, common, _) = read(given)?;
     let runs = if runs.is_empty() { (0..plan.runs.len() as u32).collect() } else { runs };
-    Ok(pump(&plan, &rows, runs)?.trim_end().to_owned())
+    Ok(pump(&plan, &rows, runs, common.rows.counts())?.trim_end().to_owned())
 }
 
 /// What all shards of a plan found.
@@ -118,7 +122,7 @@ pub(super) fn join(mut given: Arguments) -> Result<String, Failure> {
     let plan = plan_in(&plan.ok_or_else(|| missing("--plan FILE"))?)?;
     let texts: Vec<String> = shards.iter().map(|path| text(path)).collect::<Result<_, _>>()?;
     let found = joined(&plan, &texts).map_err(Failure::Usage)?;
-    Ok(told(&plan, found, form))
+    Ok(told(&plan, found, results::counts(&texts), form))
 }
 
 type Given4 = (Plan, Arc<[Example]>, Vec<u32>, Common, Form);
@@ -144,7 +148,23 @@ fn read(mut given: Arguments) -> Result<Given4, Failure> {
     }
     let rows: Arc<[Example]> = common.all_rows(&corpus)?.into();
     plan.check(&rows).map_err(Failure::Usage)?;
+    common.rows = common.rows.rejecting(rejected(&plan, &rows), "a plan made with --with-rejected");
+    tell(common.rows);
     Ok((plan, rows, runs, common, form))
+}
+
+/// How many rejected rows no run of a plan uses.
+fn rejected(plan: &Plan, rows: &[Example]) -> usize {
+    let halves = plan.runs.iter().flat_map(|run| [&run.train, &run.test]);
+    let used: BTreeSet<u32> =
+        halves.flat_map(|half| spans::read(half, plan.rows).unwrap_or_default()).collect();
+    let is_rejected = |example: &Example| matches!(example.decision, Decision::Rejected(_));
+    (0..).zip(rows).filter(|(at, row)| is_rejected(row) && !used.contains(at)).count()
+}
+
+/// Says on standard error what became of rows; the work goes on when nobody listens there.
+fn tell(rows: Rows) {
+    let _ = writeln!(io::stderr(), "{rows}");
 }
 
 fn plan_in(path: &std::path::Path) -> Result<Plan, Failure> {
@@ -153,7 +173,12 @@ fn plan_in(path: &std::path::Path) -> Result<Plan, Failure> {
 }
 
 /// Runs some runs of a plan; their results as a file.
-fn pump(plan: &Plan, rows: &Arc<[Example]>, runs: Vec<u32>) -> Result<String, Failure> {
+fn pump(
+    plan: &Plan,
+    rows: &Arc<[Example]>,
+    runs: Vec<u32>,
+    counts: RowCounts,
+) -> Result<String, Failure> {
     let mut shard = Shard::new(plan.clone(), rows.clone(), runs).map_err(Failure::Usage)?;
     while !shard.is_over() {
         if let Some(Told::Ended(at)) = shard.step().map_err(Failure::Usage)? {
@@ -162,14 +187,17 @@ fn pump(plan: &Plan, rows: &Arc<[Example]>, runs: Vec<u32>) -> Result<String, Fa
             let _ = writeln!(io::stderr(), "{name}: done");
         }
     }
-    Ok(shard.end())
+    Ok(shard.end(Some(counts)))
 }
 
-fn told(plan: &Plan, found: Vec<RunResult>, form: Form) -> String {
+fn told(plan: &Plan, found: Vec<RunResult>, counts: Option<RowCounts>, form: Form) -> String {
     let mut text = match form {
-        Form::Markdown => export::markdown(plan, &found),
+        Form::Markdown => {
+            let rows = counts.map(|counts| format!("\n{}\n", Rows::from(counts)));
+            export::markdown(plan, &found) + &rows.unwrap_or_default()
+        }
         Form::Csv => export::csv(plan, &found),
-        Form::Json => results::write(plan, found),
+        Form::Json => results::write(plan, found, counts),
     };
     // Who prints it ends the line.
     if text.ends_with('\n') {

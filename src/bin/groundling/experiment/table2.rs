@@ -42,7 +42,7 @@ pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
         common.report(json!({ "experiment": "table2", "source": paper::SOURCE, "runs": runs }))
     } else {
         let table = table::text(&finished);
-        format!("F1 by training set and demonstrations ({})\n{table}", paper::SOURCE)
+        common.told(&format!("F1 by training set and demonstrations ({})\n{table}", paper::SOURCE))
     })
 }
 

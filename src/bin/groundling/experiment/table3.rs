@@ -37,7 +37,7 @@ pub(super) fn run(mut given: Arguments) -> Result<String, Failure> {
     let runs = table_3(&train, &test, &common.config, budget, &memos);
     let finished = run_all(&runs, &common.seed(CLEANUP_LEXICON)?, common.jobs);
     if !common.json {
-        return Ok(text(&finished));
+        return Ok(common.told(&text(&finished)));
     }
     let mut lines = table::json(&finished);
     for (line, done) in lines.as_array_mut().into_iter().flatten().zip(&finished) {
