@@ -230,7 +230,7 @@ fn plans_and_their_results() {
         check(matrix, |text| Matrix::read(text).map(drop));
     }
     let rows: Arc<[_]> = six().examples.into();
-    let shard = Shard::new(plan.clone(), rows, vec![]).unwrap().end();
+    let shard = Shard::new(plan.clone(), rows, vec![]).unwrap().end(None);
     let result = "{\"run\":0}";
     let shard = shard.replace("\"results\":[]", &format!("\"results\":[{result}]"));
     for text in spoilt(&shard) {
