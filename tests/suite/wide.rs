@@ -25,7 +25,7 @@ fn rows() -> Corpus {
 fn the_rows_are_the_commands_and_show_what_they_mean() {
     let (tasks, corpus) = (read_tasks(WIDE).unwrap(), rows());
     let sayings: Vec<_> = tasks.iter().flat_map(|t| t.says.iter().map(move |s| (t, s))).collect();
-    assert!(sayings.len() >= 700);
+    assert!(sayings.len() >= 1_200);
     assert_eq!(corpus.examples.len(), sayings.len(), "make corpus draws the rows anew");
     for ((task, saying), row) in sayings.into_iter().zip(&corpus.examples) {
         assert_eq!(row.command, saying.words, "make corpus draws the rows anew");
@@ -70,4 +70,32 @@ fn every_command_has_a_voice_and_every_register_its_share() {
     };
     assert!(registers.iter().all(|register| of(register) >= 50), "{voices:?}");
     assert_eq!(registers.iter().map(|register| of(register)).sum::<usize>(), voices.len());
+}
+
+#[test]
+fn its_readme_counts_the_tasks_and_commands_of_each_kind() {
+    let readme = include_str!("../../assets/corpus/README.md");
+    let begins = |line: &&str, with: &str| line.starts_with(with);
+    let count = |text: &str, with: &str| text.lines().filter(|line| begins(line, with)).count();
+    let sections = WIDE.split("\n# --- ").skip(1);
+    let counted = sections.map(|text| (count(text, "task "), count(text, "says ")));
+    let (_, table) = readme.split_once("| construction").unwrap();
+    let rows = table.lines().skip(2).take_while(|line| line.starts_with('|'));
+    let told = rows.map(|row| {
+        let mut cells =
+            row.trim_matches(['|', ' ']).rsplit(" | ").map(|cell| cell.parse().unwrap());
+        let commands = cells.next().unwrap();
+        (cells.next().unwrap(), commands)
+    });
+    assert!(told.eq(counted), "constructions");
+    let voices = readme.lines().filter(|line| line.starts_with("| `wide-"));
+    let mut all = 0;
+    for row in voices {
+        let (voice, rest) = row["| `".len()..].split_once("-1`").unwrap();
+        let told: usize = rest.split(" | ").nth(1).unwrap().parse().unwrap();
+        assert_eq!(told, count(WIDE, &format!("says {voice}-")), "{voice}");
+        all += told;
+    }
+    assert_eq!(all, count(WIDE, "says "));
+    assert!(readme.contains(&format!("with {},{:03} commands", all / 1000, all % 1000)));
 }
