@@ -188,7 +188,7 @@ impl Model {
                 [HEADER] if line == 1 => {}
                 _ if line == 1 => {
                     return Err(error(format!(
-                        "a model file of this version begins with {HEADER:?}"
+                        "a model file of this version begins with {HEADER:?}: learn it anew with `train`, from the corpus that it was learned from"
                     )));
                 }
                 _ if ended => return Err(error("the file goes on after its end".to_owned())),

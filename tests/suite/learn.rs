@@ -13,6 +13,8 @@ mod gradient;
 mod novelty;
 #[path = "learn/resume.rs"]
 mod resume;
+#[path = "learn/trust.rs"]
+mod trust;
 
 use groundling::ccg::{ChartConfig, Model, parse};
 use groundling::corpus::{Cells, Corpus, Decision, Example, Options, Pair, read};

@@ -366,3 +366,61 @@ fn a_byte_order_mark_is_no_part_of_a_file_and_no_message_speaks_of_the_program()
         }
     }
 }
+
+/// The lines of a model that say how far it can be trusted.
+fn doubt_of(model: &str) -> Vec<&str> {
+    model.lines().filter(|line| line.starts_with("doubt\t")).collect()
+}
+
+#[test]
+fn how_far_a_model_can_be_trusted_is_said_and_goes_with_it() {
+    let folder = folder("doubt");
+    let at = |name: &str| folder.join(name).to_str().unwrap().to_owned();
+    fs::write(at("map"), "doubt\tbias\t2\ndoubt\tthreshold\t0.7\n").unwrap();
+    assert!(
+        train(&["--corpus", SIX, "--doubt", &at("map"), "--out", &at("m")], "").status.success()
+    );
+    let model = fs::read_to_string(at("m")).unwrap();
+    assert_eq!(doubt_of(&model), ["doubt\tbias\t2", "doubt\tthreshold\t0.7"]);
+    let into = call(&["train", "--into", &at("m"), "--corpus", SIX, "--out", &at("more")], "");
+    assert!(into.status.success(), "{}", text(&into.stderr));
+    assert_eq!(doubt_of(&fs::read_to_string(at("more")).unwrap()), doubt_of(&model));
+    let parse = call(&["parse", "--model", &at("m")], "go to the green room\n");
+    let answer: serde_json::Value = serde_json::from_str(text(&parse.stdout)).unwrap();
+    let probability = answer["probability"].as_f64().unwrap();
+    assert!((probability - 1.0 / (1.0 + (-2.0f64).exp())).abs() < 1e-9, "{answer}");
+    assert!(answer["asks"].is_null(), "above the threshold: {answer}");
+    let judged = call(&["evaluate", "--model", &at("m"), "--corpus", SIX, "--json"], "");
+    assert!(judged.stderr.is_empty() || !text(&judged.stderr).contains("how likely"));
+    let judged: serde_json::Value = serde_json::from_str(text(&judged.stdout)).unwrap();
+    assert_eq!(judged["asked"], 0);
+    assert_eq!(judged["unasked_precision"], 1.0);
+    assert!(judged["ece"].as_f64().is_some_and(|ece| (ece - (1.0 - probability)).abs() < 1e-9));
+    let cuts = judged["risk_coverage"].as_array().unwrap();
+    assert!(
+        cuts.iter().any(|cut| cut["coverage"] == 1.0)
+            && cuts.iter().any(|cut| cut["coverage"] == 0.0)
+    );
+
+    // A model from before there was a map still opens, and says that it has none.
+    let old: String = model
+        .lines()
+        .filter(|line| !line.starts_with("doubt\t"))
+        .map(|line| format!("{line}\n"))
+        .collect();
+    fs::write(at("old"), old).unwrap();
+    let parse = call(&["parse", "--model", &at("old")], "go to the green room\n");
+    let answer: serde_json::Value = serde_json::from_str(text(&parse.stdout)).unwrap();
+    assert!(answer["probability"].is_null() && answer["forms"][0]["form"].is_string(), "{answer}");
+    let judged = call(&["evaluate", "--model", &at("old"), "--corpus", SIX], "");
+    assert!(text(&judged.stderr).contains("does not say how likely"), "{}", text(&judged.stderr));
+    // Of another version, it is told what to do.
+    let other = model.replacen("groundling model 1", "groundling model 0", 1);
+    fs::write(at("other"), other).unwrap();
+    let refused = call(&["parse", "--model", &at("other")], "");
+    assert!(
+        !refused.status.success() && text(&refused.stderr).contains("train"),
+        "{}",
+        text(&refused.stderr)
+    );
+}

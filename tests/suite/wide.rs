@@ -11,7 +11,7 @@ use std::process::Command;
 const WIDE: &str = include_str!("../../assets/corpus/wide.txt");
 
 /// The rows, unpacked by the command that packed them.
-fn rows() -> Corpus {
+pub(crate) fn rows() -> Corpus {
     let packed = concat!(env!("CARGO_MANIFEST_DIR"), "/assets/corpus/wide.csv.xz");
     let xz = Command::new("xz").args(["--decompress", "--stdout", packed]).output();
     let xz = xz.expect("xz unpacks the corpus: apt-get install xz-utils");

@@ -7,6 +7,7 @@ use super::failure::Failure;
 use super::figures::{report_json, report_text};
 use groundling::ccg::ChartConfig;
 use groundling::learn::Evaluation;
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -26,6 +27,10 @@ pub(crate) const COMMAND: Command = Command {
               \x20                     (the bins), risk_coverage",
     run,
 };
+
+/// Said of a model that was learned without a map of doubt, or before there was one.
+const NO_DOUBT: &str = "the model does not say how likely its answers are, so none is asked about (`calibrate` learns that, \
+    and `train --doubt MAP` puts it into a model)";
 
 fn run(mut arguments: Arguments) -> Result<Done, Failure> {
     use lexopt::Arg::{Long, Value};
@@ -55,6 +60,10 @@ fn run(mut arguments: Arguments) -> Result<Done, Failure> {
         return Err(missing("--corpus FILE"));
     }
     let Loaded { examples, rows, .. } = examples(&corpus, Admit::with_rejected(with_rejected))?;
+    if model.doubt.is_none() {
+        // Standard error may be gone; the figures are still right.
+        let _ = writeln!(io::stderr(), "{NO_DOUBT}");
+    }
     let started = Instant::now();
     let config = ChartConfig::of(&model);
     let mut evaluation = Evaluation::new(&mut model, &examples, config);
