@@ -51,24 +51,24 @@ pub fn in_words(error: &Error, is_broken: bool) -> String {
         return "invalid type, expected a word".to_owned();
     }
     if let Some(rest) = said.strip_prefix("unknown variant") {
-        return format!("unknown word{rest}");
+        return ["unknown word", rest].concat();
     }
     let Some((found, wanted)) = said.rsplit_once(", expected ") else { return said.to_owned() };
-    if let Some(length) = found.strip_prefix("invalid length ") {
-        return format!("invalid type: a list of {length}, expected {}", kind(wanted));
-    }
-    if let Some(found) = found.strip_prefix("invalid type: ") {
-        return format!("invalid type: {}, expected {}", value(found), kind(wanted));
-    }
-    match found.strip_prefix("invalid value: ").map(value) {
-        // A whole number, as is said, but too far from 0.
-        Some(found) if is_whole(wanted) => {
-            let change = if found.starts_with("`-") { "larger" } else { "smaller" };
-            format!("invalid value: {found}, expected a {change} whole number")
-        }
-        Some(found) => format!("invalid value: {found}, expected {}", kind(wanted)),
-        None => said.to_owned(),
-    }
+    let (what, found) = if let Some(length) = found.strip_prefix("invalid length ") {
+        ("invalid type", ["a list of ", length].concat())
+    } else if let Some((what, found)) = found.split_once(": ") {
+        (what, value(found))
+    } else {
+        return said.to_owned();
+    };
+    // A whole number, as is said, but too far from 0.
+    let is_far = what == "invalid value" && is_whole(wanted);
+    let wanted = match found.starts_with("`-") {
+        true if is_far => "a larger whole number".to_owned(),
+        false if is_far => "a smaller whole number".to_owned(),
+        _ => kind(wanted),
+    };
+    [what, ": ", &found, ", expected ", &wanted].concat()
 }
 
 /// What was found: itself where it is quoted, or its kind.
@@ -86,8 +86,8 @@ fn kind(said: &str) -> String {
     }
     let known = |word| KINDS.iter().find(|(name, _)| *name == word);
     let Some((_, words)) = said.split(' ').find_map(known) else { return said.to_owned() };
-    match said.rsplit(' ').next().and_then(|length| length.parse::<u32>().ok()) {
-        Some(length) => format!("{words} of {length}"),
+    match said.rsplit(' ').next().filter(|length| is_count(length)) {
+        Some(length) => [words, " of ", length].concat(),
         None => (*words).to_owned(),
     }
 }
@@ -95,5 +95,9 @@ fn kind(said: &str) -> String {
 /// Whether serde names a type of whole numbers.
 fn is_whole(said: &str) -> bool {
     let bits = said.strip_prefix(['i', 'u']);
-    bits.is_some_and(|bits| bits == "size" || bits.parse::<u32>().is_ok())
+    bits.is_some_and(|bits| bits == "size" || is_count(bits))
+}
+
+fn is_count(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }

@@ -11,8 +11,8 @@ const LIMITS = [
   { what: 'first view', most: 400 * KB, counts: (kind) => kind === 'first' || kind === 'base' },
   { what: 'models', most: 150 * KB, counts: (kind) => kind === 'model' },
   // Aim: 1,800. The workbench and what it asks of the learner came on top of it, what it keeps, studies, driving a
-  // robot (200), goals in time, what must not be said the other way round (45), and a planner made for speed (50).
-  { what: 'everything the app can load', most: 2750 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
+  // robot (200), goals in time, what must not be said the other way round (60), a planner made for speed (50), and messages in people's words (10).
+  { what: 'everything the app can load', most: 2775 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
   // A page of its own, for people who take part in a study: it loads these and nothing else.
   { what: 'first view of collect.html', most: 200 * KB, counts: (kind) => kind === 'collect' || kind === 'base' },
   // Another of its own; the engine that talks comes when it is wanted.
