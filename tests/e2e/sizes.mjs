@@ -13,8 +13,9 @@ const LIMITS = [
   // Aim: 1,800. The workbench and what it asks of the learner came on top of it, what it keeps, studies, driving a
   // robot (200), goals in time, what must not be said the other way round (60), a planner made for speed (50), and messages in people's words (10).
   { what: 'everything the app can load', most: 2775 * KB, counts: (kind) => kind !== 'guide' && kind !== 'collect' },
-  // A page of its own, for people who take part in a study: it loads these and nothing else.
-  { what: 'first view of collect.html', most: 200 * KB, counts: (kind) => kind === 'collect' || kind === 'base' },
+  // A page of its own, for people who take part in a study: it loads these and nothing else. Aim: 200; what is wrong with a
+  // study that was written by hand is said in people's words (1).
+  { what: 'first view of collect.html', most: 201 * KB, counts: (kind) => kind === 'collect' || kind === 'base' },
   // Another of its own; the engine that talks comes when it is wanted.
   { what: 'first view of robot.html', most: 250 * KB, counts: (kind, name) => kind === 'robot' || kind === 'base' || name === 'boot.js' },
 ];

@@ -38,6 +38,10 @@ flow('a room that is forbidden is not gone to, and one to leave is left', async 
   await t.check(async () => (await demo.robot()).room !== 'green', 'the robot has left');
   await demo.ask('do not go to the yellow room');
   await t.check(async () => (await demo.why()).includes('no_referent'), async () => `a room that is not there: ${await demo.why()}`);
+  // What was forbidden is not remembered.
+  await demo.ask('go to the blue room');
+  await demo.finish();
+  await t.equal(async () => (await demo.robot()).room, 'blue', 'where one may go again');
 });
 
 flow('half a command is told and offered, and not done by itself', async (t) => {
