@@ -115,15 +115,15 @@ impl Context<'_> {
     /// Whether it is said of a thing that something is to become of it, and not what: "the chair should be moved"; or that
     /// something is so of which nothing is known here: "the red room is closed".
     fn is_open(&self) -> bool {
-        let last = self.words.len() - 1;
+        let end = self.words.len();
         let says_what = |at: usize| {
             let word = &self.words[at];
             is(self.model, word, is_noun)
                 || is_adjective(self.model, word)
-                || at < last && is(self.model, word, is_preposition)
+                || at + 1 < end && is(self.model, word, is_preposition)
         };
         let verb = |verbs: &[&str]| self.words.iter().position(|word| verbs.contains(&&**word));
-        let is_left_open = |at: usize| !(at + 1..=last).any(says_what);
+        let is_left_open = |at: usize| !(at + 1..end).any(says_what);
         verb(&MODALS).is_some_and(|at| self.begins_with_thing(at) && is_left_open(at))
             || verb(&IS).is_some_and(|at| self.begins_with_noun(at) && is_left_open(at))
     }
